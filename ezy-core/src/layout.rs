@@ -5,8 +5,8 @@
 use crate::memory;
 use crate::model::coordinate::place as place_of;
 use crate::model::{
-    CoordinateInfo, LARGEST_N_MEMBERS, LayoutFault, List, Name, OutputInfo, PointInfo, Repeats, RowInfo, SceneInfo,
-    SparsityPattern, TemplateInfo,
+    BodyKind, Component, CoordinateInfo, LARGEST_N_MEMBERS, LayoutFault, List, Name, OutputInfo, PointInfo, Repeats,
+    RowInfo, SceneInfo, SparsityPattern, TemplateInfo,
 };
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -100,6 +100,7 @@ pub struct Layout {
     n_bodies: usize,
     bodies: Vec<Name>,
     coordinates: Vec<CoordinateInfo>,
+    velocities: Vec<CoordinateInfo>,
     points: Vec<PointInfo>,
     outputs: Vec<OutputInfo>,
     position_rows: Rows,
@@ -153,10 +154,14 @@ impl Layout {
     }
 
     fn push_body(&mut self, name: Name) {
-        let of = |part: &str| Cow::Owned([&name, part].concat());
-        for (position, velocity, unit) in [(".x", ".vx", "m"), (".y", ".vy", "m"), (".phi", ".omega", "rad")] {
-            let (name, velocity_name) = (of(position), of(velocity));
-            self.coordinates.push(CoordinateInfo { name, velocity_name, unit, symbol: None, velocity_symbol: None });
+        let of = |component: &str| Cow::Owned([&name, ".", component].concat());
+        let of_planar = [
+            (&mut self.coordinates, BodyKind::Planar.positions()),
+            (&mut self.velocities, BodyKind::Planar.velocities()),
+        ];
+        for (infos, components) in of_planar {
+            let named = |c: &Component| CoordinateInfo { name: of(c.name), unit: c.unit, symbol: None };
+            infos.extend(components.iter().map(named));
         }
         self.bodies.push(name);
     }
@@ -226,6 +231,7 @@ impl Layout {
         SceneInfo {
             bodies: list(self.bodies),
             coordinates: list(self.coordinates),
+            velocities: list(self.velocities),
             points: list(self.points),
             outputs: list(self.outputs),
             n_constants: fixed.n_constants + self.n_constants,

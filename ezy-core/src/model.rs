@@ -8,6 +8,7 @@
 //! `n_p` points, `n_i` inputs, `n_o` outputs, `n_s` events. Kernels panic when a slice has another length; the layers above always
 //! pass the right ones.
 
+pub(crate) mod body_kind;
 pub(crate) mod coordinate;
 mod derived;
 mod element;
@@ -22,6 +23,7 @@ pub(crate) mod pivots;
 pub(crate) mod repeats;
 pub(crate) mod series;
 
+pub use body_kind::{BodyKind, Component};
 pub use derived::{Derived, JacobianPlaces};
 pub use element::{ElementInfo, LoadKind, LocalVector};
 pub use equations::Equations;
@@ -76,19 +78,27 @@ pub struct Equation {
     pub mathml: &'static str,
 }
 
-/// A coordinate and its velocity.
+/// A coordinate or a velocity.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CoordinateInfo {
-    /// `body.x`, `body.y` or `body.phi`.
+    /// `body.x`, `body.phi`; `body.vx`, `body.omega`.
     pub name: Name,
-    /// `body.vx`, `body.vy` or `body.omega`.
-    pub velocity_name: Name,
-    /// Unit of the coordinate: `m` or `rad`.
+    /// Unit: `m` or `rad`; `m/s` or `rad/s`.
     pub unit: &'static str,
-    /// How the coordinate is printed in equations; `None` in a scene with counts.
+    /// How it is printed in equations; `None` in a scene with counts.
     pub symbol: Option<Formula>,
-    /// How its velocity is printed in equations; `None` in a scene with counts.
-    pub velocity_symbol: Option<Formula>,
+}
+
+impl CoordinateInfo {
+    /// Whether it is an angle, or the rate of one.
+    pub(crate) fn is_angle(&self) -> bool {
+        matches!(self.unit, "rad" | "rad/s")
+    }
+
+    /// Whether it is a length, or the rate of one.
+    pub(crate) fn is_length(&self) -> bool {
+        matches!(self.unit, "m" | "m/s")
+    }
 }
 
 /// A constraint row.
@@ -251,10 +261,14 @@ pub struct SceneInfo {
     pub documentation: &'static str,
     /// Hash of the words of the model file, without comments and documentation (FNV-1a, 64 bits); 0 of a scene written by hand.
     pub fingerprint: u64,
-    /// Bodies in declared order; body `i` has the coordinates x, y and φ at `3 i`, `3 i + 1`, `3 i + 2`.
+    /// Bodies in declared order; planar body `i` has the coordinates x, y and φ at `3 i`, `3 i + 1`, `3 i + 2`.
     pub bodies: List<Name>,
+    /// The kind of each body; none where all are planar, as in every scene that `model!` generates.
+    pub kinds: List<BodyKind>,
     /// `n_q` coordinates.
     pub coordinates: List<CoordinateInfo>,
+    /// `n_v` velocities; in a scene of planar bodies those of the coordinates.
+    pub velocities: List<CoordinateInfo>,
     /// `n_p` named points; a hinge is listed by its point on the first body.
     pub points: List<PointInfo>,
     /// `n_c` rows, position constraints first.
@@ -287,7 +301,7 @@ pub struct SceneInfo {
     pub until_s: f64,
     /// Numbers that depend on parameters alone, and on counts and indices where there are some; they follow inputs and first-order states in `c`.
     pub n_constants: usize,
-    /// Pattern of G = [C_q; S], `n_c × n_q`.
+    /// Pattern of G = [C_q; S], `n_c × n_v`; of C_q along the velocities where q' ≠ v.
     pub jacobian: SparsityPattern,
     /// Entries of G in the order of [`SceneInfo::jacobian`].
     pub jacobian_entries: &'static [Formula],
@@ -334,10 +348,38 @@ impl SceneInfo {
         }
     }
 
-    /// Number of unknowns of the equations of motion, n_q + n_c.
+    /// Number of unknowns of the equations of motion, n_v + n_c.
     #[inline]
     pub fn n_unknowns(&self) -> usize {
-        self.coordinates.len() + self.rows.len()
+        self.velocities.len() + self.rows.len()
+    }
+
+    /// n_v.
+    #[inline]
+    pub fn n_velocities(&self) -> usize {
+        self.velocities.len()
+    }
+
+    /// The bodies that pictures show: they are of the plane, and show none where a body moves in space.
+    pub(crate) fn drawn_bodies(&self) -> &[Name] {
+        if self.is_planar() { &self.bodies } else { &[] }
+    }
+
+    /// The places of each body in v.
+    #[cfg(feature = "cli")]
+    pub(crate) fn velocities_of_bodies(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+        let mut first = 0;
+        (0..self.bodies.len()).map(move |i| {
+            let n = self.kinds.get(i).copied().unwrap_or_default().velocities().len();
+            first += n;
+            first - n..first
+        })
+    }
+
+    /// Whether all bodies are planar, so that q' = v.
+    #[inline]
+    pub fn is_planar(&self) -> bool {
+        self.kinds.is_empty()
     }
 
     /// n_q.
@@ -388,7 +430,7 @@ pub struct Start {
     pub q: Vec<f64>,
     /// Which coordinates are given.
     pub q_given: Vec<bool>,
-    /// `n_q` velocities; a guess where not given.
+    /// `n_v` velocities; a guess where not given.
     pub v: Vec<f64>,
     /// Which velocities are given.
     pub v_given: Vec<bool>,
@@ -401,16 +443,28 @@ pub struct Start {
 }
 
 impl Start {
-    /// Nothing given, everything zero.
+    /// Nothing given, everything zero, with as many velocities as coordinates.
     pub fn free(n_coordinates: usize) -> Self {
+        Self::of(n_coordinates, n_coordinates)
+    }
+
+    /// Nothing given, everything zero, for a scene; bodies in space have the axes of the ground.
+    pub fn free_of(info: &SceneInfo) -> Self {
+        let mut start = Self::of(info.n_coordinates(), info.n_velocities());
+        body_kind::set_upright(&info.kinds, &mut start.q);
+        start
+    }
+
+    /// Nothing given, everything zero, for so many coordinates and velocities.
+    pub(crate) fn of(n_coordinates: usize, n_velocities: usize) -> Self {
         Self {
             t: 0.0,
             q: vec![0.0; n_coordinates],
             q_given: vec![false; n_coordinates],
-            v: vec![0.0; n_coordinates],
-            v_given: vec![false; n_coordinates],
+            v: vec![0.0; n_velocities],
+            v_given: vec![false; n_velocities],
             q_near: vec![false; n_coordinates],
-            v_near: vec![false; n_coordinates],
+            v_near: vec![false; n_velocities],
             z: Vec::new(),
         }
     }

@@ -324,12 +324,22 @@ fn analytic_states_are_read_behind_inputs_and_have_a_method_for_their_rates() {
     let (inputs, states) = (between("inputs:", "integrated_inputs:"), between("states:", "outputs:"));
     assert!(inputs.contains("\"u\"") && !inputs.contains("\"current\""), "{inputs}");
     assert!(states.contains("\"current\"") && states.contains("0.5") && !states.contains("\"u\""), "{states}");
-    assert!(info.contains("series: ezy::SeriesInfo::FirstOrderStates") && info.contains("d/dt current = "), "{info}");
+    assert!(info.contains("series: ezy::SeriesInfo::Analytic") && info.contains("d/dt current = "), "{info}");
     let code: String = parts.iter().filter(|(name, _)| name.ends_with(".rs")).map(|(_, code)| code.as_str()).collect();
-    assert!(
-        !code.contains("jacobian_places") && !code.contains("fn series(") && !code.contains("pub current"),
-        "{code}"
-    );
+    assert!(!code.contains("pub current"), "{code}");
+    let series = &parts["motor/run/series.rs"];
+    let (begin, orders) = series.split_once("fn right_side").expect("the scene has a series");
+    let (right_side, finish) = orders.split_once("fn finish").expect("other methods follow");
+    for (method, order) in [(begin, "0"), (begin, "1"), (right_side, "k + 1")] {
+        let written = format!("ezy::row_mut::<1usize, T>(&mut store.kept, {order})");
+        assert!(method.contains(&written), "{written}: {method}");
+    }
+    assert!(right_side.contains("ezy::row::<1usize, T>(&store.kept, k + 0)"), "{right_side}");
+    assert!(!finish.contains("kept"), "{finish}");
+    // the torque, then the rate
+    let (_, places) = code.split_once("fn state_jacobian_places").expect("the scene has states");
+    assert!(places.contains("vec![(2usize, 0usize), (3usize, 0usize)]"), "{places}");
+    assert!(places.contains("out[1usize] = -u;"), "{places}");
 }
 
 #[test]

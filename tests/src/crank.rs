@@ -33,12 +33,9 @@ static INFO: LazyLock<Arc<SceneInfo>> = LazyLock::new(|| {
         model: "Crank",
         name: "turn",
         bodies: vec!["arm".into()].into(),
-        coordinates: vec![
-            coordinate("arm.x", "arm.vx", "m"),
-            coordinate("arm.y", "arm.vy", "m"),
-            coordinate("arm.phi", "arm.omega", "rad"),
-        ]
-        .into(),
+        coordinates: vec![coordinate("arm.x", "m"), coordinate("arm.y", "m"), coordinate("arm.phi", "rad")].into(),
+        velocities: vec![coordinate("arm.vx", "m/s"), coordinate("arm.vy", "m/s"), coordinate("arm.omega", "rad/s")]
+            .into(),
         rows: vec![row("pin.x", "hinge", "", ""), row("pin.y", "hinge", "", ""), row("angle", "drive", "", "")].into(),
         n_position_rows: 3,
         outputs: vec![OutputInfo { name: "height".into(), unit: "m", documentation: "", formula: f("arm.y") }].into(),

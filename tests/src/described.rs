@@ -8,15 +8,8 @@ pub(crate) const fn f(text: &'static str) -> Formula {
     Formula { text, latex: "", mathml: "" }
 }
 
-pub(crate) const fn coordinate(name: &'static str, velocity_name: &'static str, unit: &'static str) -> CoordinateInfo {
-    let (symbol, velocity_symbol) = (Some(f(name)), Some(f(velocity_name)));
-    CoordinateInfo {
-        name: Name::Borrowed(name),
-        velocity_name: Name::Borrowed(velocity_name),
-        unit,
-        symbol,
-        velocity_symbol,
-    }
+pub(crate) const fn coordinate(name: &'static str, unit: &'static str) -> CoordinateInfo {
+    CoordinateInfo { name: Name::Borrowed(name), unit, symbol: Some(f(name)) }
 }
 
 pub(crate) const fn row(
@@ -38,7 +31,9 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     documentation: "",
     fingerprint: 0,
     bodies: List::Borrowed(&[]),
+    kinds: List::Borrowed(&[]),
     coordinates: List::Borrowed(&[]),
+    velocities: List::Borrowed(&[]),
     points: List::Borrowed(&[]),
     rows: List::Borrowed(&[]),
     n_position_rows: 0,

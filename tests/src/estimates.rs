@@ -132,7 +132,7 @@ fn precise(question: &Question<'_>) -> Option<Motion> {
         t: first.t,
         q: first.coordinates.to_vec(),
         v: first.velocities.to_vec(),
-        z: Vec::new(),
+        z: first.states.to_vec(),
         work: Vec::new(),
     };
     let mut precise = PreciseMotion::new(scene, &start).ok()?;

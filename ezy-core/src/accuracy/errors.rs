@@ -54,11 +54,12 @@ impl Scales {
     /// The scales of a motion.
     pub(super) fn of(motion: &Trajectory) -> Self {
         let info = motion.info();
-        let units: Vec<&str> = info.coordinates.iter().map(|c| c.unit).collect();
+        let [units, rates] =
+            [&info.coordinates, &info.velocities].map(|of| of.iter().map(|c| c.unit).collect::<Vec<_>>());
         let row_units: Vec<&str> = info.rows.iter().map(|row| row.multiplier_unit).collect();
         Self {
             position: largest_of_unit(motion, &units, |row| row.q),
-            velocity: largest_of_unit(motion, &units, |row| row.v),
+            velocity: largest_of_unit(motion, &rates, |row| row.v),
             reaction: largest_of_unit(motion, &row_units, |row| row.lambda),
         }
     }

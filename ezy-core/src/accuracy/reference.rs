@@ -133,7 +133,7 @@ fn precise(runs: &Runs<'_>, start: &Sample<'_>, times: &[f64], deadline: Duratio
         t: start.t,
         q: start.coordinates.to_vec(),
         v: start.velocities.to_vec(),
-        z: Vec::new(),
+        z: start.states.to_vec(),
         work: Vec::new(),
     };
     let mut motion = PreciseMotion::new(runs.scene, &state).map_err(|error| error.to_string())?;

@@ -58,8 +58,8 @@ impl Trajectory {
     }
 
     pub(super) fn row(&self, i: usize) -> Row<'_> {
-        let (n_q, n_c) = (self.info.n_coordinates(), self.info.n_rows());
-        Row { q: &self.q[i * n_q..][..n_q], v: &self.v[i * n_q..][..n_q], lambda: &self.lambda[i * n_c..][..n_c] }
+        let [n_q, n_v, n_c] = [self.info.n_coordinates(), self.info.n_velocities(), self.info.n_rows()];
+        Row { q: &self.q[i * n_q..][..n_q], v: &self.v[i * n_v..][..n_v], lambda: &self.lambda[i * n_c..][..n_c] }
     }
 
     /// `self + factor (self − other)`, time by time: Richardson's extrapolation.

@@ -29,9 +29,10 @@ impl Examples {
         let entries = models.iter().flat_map(|&model| model.scenes.iter().map(move |entry| (model, entry)));
         let info = |entry: &SceneEntry| (entry.info)();
         let coordinate = first.and_then(|(_, entry)| {
-            let coordinates = &info(entry).coordinates;
-            let angle = (0..coordinates.len()).find(|i| is_angle(*i)).and_then(|i| coordinates.get(i));
-            angle.map(|angle| (angle.name.to_string(), angle.velocity_name.to_string()))
+            let info = info(entry);
+            let mut coordinates = info.coordinates.iter().zip(&*info.velocities);
+            let angle = coordinates.find(|(coordinate, _)| coordinate.is_angle());
+            angle.map(|(angle, rate)| (angle.name.to_string(), rate.name.to_string()))
         });
         let (column, velocity) = coordinate.unwrap_or_else(|| ("BODY.phi".to_owned(), "BODY.omega".to_owned()));
         let input = entries.filter_map(|(model, entry)| Some((path(model, entry), info(entry).inputs.first()?.name)));

@@ -324,7 +324,7 @@ pub(super) fn assignment_of(name: &str, info: &SceneInfo) -> Option<&'static str
         return Some("--input");
     }
     let is_state = info.states.iter().any(|known| known.name == name);
-    let is_start = info.coordinates.iter().any(|known| known.name == name || known.velocity_name == name);
+    let is_start = info.coordinates.iter().chain(&*info.velocities).any(|known| known.name == name);
     (is_start || is_state).then_some("--start")
 }
 

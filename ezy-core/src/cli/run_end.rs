@@ -24,14 +24,17 @@ pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, free
         names.enumerate().map(|(i, name)| (name, json!(last.map(|last| pick(&last, i))))).collect()
     };
     let by_coordinate = |pick| named(&mut info.coordinates.iter().map(|c| &*c.name), pick);
+    // rates of the coordinates, unless bodies have more positions than velocities
+    let rated = if info.is_planar() { &info.coordinates } else { &info.velocities };
+    let by_rate = |pick| named(&mut rated.iter().map(|c| &*c.name), pick);
     let mut end = json!({
         "model": info.model,
         "scene": info.name,
         "method": method.name(),
         "t": last.map(|last| last.t),
         "state": by_coordinate(|last, i| last.coordinates[i]),
-        "rate": by_coordinate(|last, i| last.velocities[i]),
-        "acceleration": by_coordinate(|last, i| last.accelerations[i]),
+        "rate": by_rate(|last, i| last.velocities[i]),
+        "acceleration": by_rate(|last, i| last.accelerations[i]),
         "multipliers": named(&mut info.rows.iter().map(|row| &*row.name), |last, i| last.multipliers[i]),
     });
     if let Some(angle) = method.tolerance().and_then(|tolerance| tolerance.angle) {

@@ -7,7 +7,6 @@ mod text;
 use serde_json::{Value, json};
 use std::sync::Arc;
 
-use crate::model::coordinate::{N_OF_BODY, body_and_component};
 use crate::model::{EliminationStep, SceneInfo, SeriesInfo, TemplateInfo};
 
 use super::Models;
@@ -72,9 +71,6 @@ fn series(info: &SceneInfo) -> String {
         SeriesInfo::NotAnalytic { function } => {
             format!("no Taylor series: a law calls `{function}`; dop853, rk4 and midpoint take the scene")
         }
-        SeriesInfo::FirstOrderStates => {
-            "no Taylor series: the scene has first-order states; dop853, rk4 and midpoint take it".to_owned()
-        }
         SeriesInfo::Absent => "no Taylor series".to_owned(),
     }
 }
@@ -87,12 +83,10 @@ fn with_equations(info: &SceneInfo) -> impl Iterator<Item = &'static TemplateInf
 
 /// For each row and body which of x, y and φ the row reads: `x.x`.
 fn pattern(info: &SceneInfo) -> Vec<Vec<String>> {
-    let mut signs = vec![vec![['.'; N_OF_BODY]; info.bodies.len()]; info.n_rows()];
-    for (_, row, column) in info.jacobian.entries() {
-        let (body, component) = body_and_component(column);
-        signs[row][body][component] = 'x';
-    }
-    signs.into_iter().map(|row| row.into_iter().map(|of_body| of_body.into_iter().collect()).collect()).collect()
+    let mut signs = vec![vec!['.'; info.n_velocities()]; info.n_rows()];
+    info.jacobian.entries().for_each(|(_, row, column)| signs[row][column] = 'x');
+    let by_body = |row: Vec<char>| info.velocities_of_bodies().map(|of_body| row[of_body].iter().collect()).collect();
+    signs.into_iter().map(by_body).collect()
 }
 
 fn pivot(step: &EliminationStep) -> &'static str {

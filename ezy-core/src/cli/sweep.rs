@@ -274,7 +274,7 @@ fn kept(arguments: &SweepArguments, info: &SceneInfo) -> Vec<Kept> {
         return arguments.keep.clone();
     }
     let positions = info.coordinates.iter().map(|c| c.name.to_string());
-    let velocities = info.coordinates.iter().map(|c| c.velocity_name.to_string());
+    let velocities = info.velocities.iter().map(|c| c.name.to_string());
     let outputs = info.outputs.iter().map(|output| format!("output.{}", output.name));
     let states = info.states.iter().map(|state| format!("state.{}", state.name));
     positions.chain(velocities).chain(states).chain(outputs).map(Kept::End).collect()

@@ -114,7 +114,7 @@ pub(super) fn target(name: &str, info: &SceneInfo) -> Result<Target, UnknownName
     let counts = || info.counts().iter().map(|count| count.name);
     let inputs = || info.inputs.iter().map(|input| input.name);
     let states = || info.states.iter().map(|state| state.name);
-    let starts = || info.coordinates.iter().flat_map(|c| [&*c.name, &*c.velocity_name]).chain(states());
+    let starts = || info.coordinates.iter().chain(&*info.velocities).map(|c| &*c.name).chain(states());
     let found = parameters().position(|known| known == name).map(Target::Parameter);
     let found = found.or_else(|| counts().position(|known| known == name).map(Target::Count));
     let found = found.or_else(|| inputs().any(|known| known == name).then_some(Target::Input));

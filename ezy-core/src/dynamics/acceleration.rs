@@ -103,7 +103,7 @@ impl<P: SceneRef> Configuration<'_, P> {
         let weight = weights(mass);
         let mut diagonal = vec![0.0; info.n_rows()];
         write_diagonal(info.jacobian.entries(), &weight, &factors.jacobian, &mut diagonal);
-        let mut equations = EquationResidual::new(info.n_coordinates(), info.n_rows(), &info.jacobian);
+        let mut equations = EquationResidual::new(info.n_velocities(), info.n_rows(), &info.jacobian);
         equations.write(mass, &factors.jacobian, &factors.right_side, &solution);
         let left = equations.share_of_what_matters(&weight, &diagonal);
         if left <= TOLERANCE {

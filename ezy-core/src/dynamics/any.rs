@@ -3,6 +3,7 @@
 use super::geometry::tolerance_at;
 use super::tolerances::projection::MAX_PASSES;
 use super::{MotionError, System};
+use crate::model::body_kind;
 use crate::model::{Equations, Pivots, SceneInfo, SceneRef};
 use crate::scalar::Scalar;
 use std::sync::Arc;
@@ -14,6 +15,9 @@ pub(crate) trait Dynamics<T: Scalar> {
     /// # Errors
     /// [`MotionError`] when K is singular.
     fn accelerations(&mut self, t: f64, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Result<(), MotionError>;
+
+    /// q' = N(q) v: the velocities themselves where all bodies are planar. Writes `n_q`.
+    fn position_rates(&self, q: &[T], v: &[T], out: &mut [T]);
 
     /// Sets the first-order states (`n_z`) that all that follows is computed with.
     fn place_states(&mut self, z: &[T]);
@@ -54,6 +58,11 @@ impl<P: SceneRef> Dynamics<f64> for System<P> {
     }
 
     #[inline]
+    fn position_rates(&self, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.position_rates(q, v, out);
+    }
+
+    #[inline]
     fn place_states(&mut self, z: &[f64]) {
         if !z.is_empty() {
             self.place_states(z);
@@ -89,7 +98,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
     /// With `fixed` as what the kernels read as `c`: inputs, then constants.
     pub(crate) fn new(scene: &'s S, info: Arc<SceneInfo>, fixed: Vec<T>) -> Self {
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
-        let (residual, delta) = (zeros(info.n_rows()), zeros(info.n_coordinates()));
+        let (residual, delta) = (zeros(info.n_rows()), zeros(info.n_velocities()));
         Self { scene, info, fixed, residual, delta }
     }
 
@@ -115,6 +124,10 @@ impl<S: Equations<T> + ?Sized, T: Scalar> Dynamics<T> for SystemOf<'_, S, T> {
         check_pivots(&self.info, pivots, t)
     }
 
+    fn position_rates(&self, q: &[T], v: &[T], out: &mut [T]) {
+        body_kind::position_rates(&self.info.kinds, q, v, out);
+    }
+
     fn place_states(&mut self, z: &[T]) {
         let n_inputs = self.info.n_inputs();
         self.fixed[n_inputs..][..z.len()].copy_from_slice(z);
@@ -133,6 +146,7 @@ impl<S: Equations<T> + ?Sized, T: Scalar> Projecting<T> for SystemOf<'_, S, T> {
     /// Derivatives follow the rows, too.
     fn project(&mut self, t: f64, q: &mut [T], v: &mut [T]) -> Result<(), MotionError> {
         let n_h = self.info.n_position_rows;
+        body_kind::normalize(&self.info.kinds, q);
         let mut passes = 0;
         loop {
             let Self { scene, fixed, residual, .. } = self;
@@ -154,7 +168,7 @@ impl<S: Equations<T> + ?Sized, T: Scalar> Projecting<T> for SystemOf<'_, S, T> {
             }
             self.residual[n_h..].fill(T::from_f64(0.0));
             self.correct(t, q)?;
-            q.iter_mut().zip(&self.delta).for_each(|(q, delta)| *q = *q + *delta);
+            body_kind::retract(&self.info.kinds, q, &self.delta);
             passes += 1;
         }
         let Self { scene, fixed, residual, .. } = self;

@@ -21,7 +21,8 @@ impl<P: SceneRef> System<P> {
     /// # Errors
     /// [`StartError::OtherAssemblyMode`].
     pub(super) fn check_mode(&mut self, start: &Start, guess: &[f64], found: &State) -> Result<(), StartError> {
-        if self.info.n_unknowns() > LARGEST_DIAGNOSED {
+        // elbows are those of planar loops
+        if self.info.n_unknowns() > LARGEST_DIAGNOSED || !self.info.is_planar() {
             return Ok(());
         }
         let [asked, reached] = [guess, &found.q].map(|q| {
@@ -41,7 +42,7 @@ impl<P: SceneRef> System<P> {
             .iter()
             .filter(|block| is_guessed(block) && self.side(block, &asked) * self.side(block, &reached) < 0.0);
         let coordinates = folded.flat_map(|block| &block.coordinates).filter(|&&i| start.q_near[i]);
-        let value = |&i: &usize| MovedValue::of_coordinate(&self.info.coordinates[i], start.q[i], found.q[i]);
+        let value = |&i: &usize| MovedValue::of(&self.info.coordinates[i], start.q[i], found.q[i]);
         let mut values: Vec<MovedValue> = coordinates.map(value).collect();
         if values.is_empty() {
             return Ok(());

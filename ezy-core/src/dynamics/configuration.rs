@@ -7,7 +7,7 @@ use crate::linalg::{
     DampedKkt, INDEPENDENT, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, Left, NullSpaceKkt, RankRevealing,
     undetermined_coordinates,
 };
-use crate::model::{Equations as _, SceneRef};
+use crate::model::{Equations as _, SceneRef, body_kind};
 
 /// A system at one configuration: the factors of K, made once for all that is asked there.
 pub(crate) struct Configuration<'c, P: SceneRef> {
@@ -64,7 +64,7 @@ impl<P: SceneRef> System<P> {
         scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
         let rank = factors
             .rank
-            .get_or_insert_with(|| Box::new(RankRevealing::new(info.n_rows(), info.n_coordinates(), &info.jacobian)));
+            .get_or_insert_with(|| Box::new(RankRevealing::new(info.n_rows(), info.n_velocities(), &info.jacobian)));
         rank.factor(&buffers.jacobian, &geometry.units, mass, independent).then_some(rank)
     }
 
@@ -200,10 +200,11 @@ impl<P: SceneRef> Configuration<'_, P> {
     #[cold]
     fn why_singular(&mut self) -> MotionError {
         let (t, info, jacobian) = (self.t, &self.system.info, &self.system.factors.jacobian);
+        let moved = body_kind::coordinates_moved(&info.kinds, info.n_velocities());
         match undetermined_coordinates(&self.system.mass, &info.jacobian, jacobian) {
             Some(found) if !found.is_empty() => MotionError::UndeterminedMotion {
                 t,
-                coordinates: found.iter().map(|&i| info.coordinates[i].name.clone()).collect(),
+                coordinates: found.iter().map(|&i| info.coordinates[moved[i]].name.clone()).collect(),
             },
             _ => MotionError::NotFinite { t, quantity: "the constraint Jacobian or an entry of its factors".into() },
         }

@@ -351,6 +351,12 @@ pub enum StartError {
         /// Its value.
         value: f64,
     },
+    /// A quaternion is zero.
+    #[error("the quaternion of body `{body}` is zero at the start; give s = 1 where its axes are those of the ground")]
+    NoAttitude {
+        /// Name of the body.
+        body: Name,
+    },
     /// A start has first-order states of another scene.
     #[error(
         "the start has {found} first-order states where the scene has {expected}; take it from a system of this scene"

@@ -29,7 +29,7 @@ pub(super) struct Factors {
     pub ahead: Ahead,
     /// Answers questions of rank beside the factors; made when it is first needed.
     pub(super) rank: Option<Box<RankRevealing>>,
-    /// `n_q + n_c`.
+    /// `n_v + n_c`.
     pub right_side: Vec<f64>,
 }
 
@@ -43,7 +43,7 @@ pub(super) enum Made {
 }
 
 impl Factors {
-    pub(super) fn new(n_q: usize, n_rows: usize, jacobian: Vec<f64>) -> Self {
+    pub(super) fn new([n_q, n_v]: [usize; 2], n_rows: usize, jacobian: Vec<f64>) -> Self {
         Self {
             t: f64::NAN,
             q: vec![0.0; n_q],
@@ -53,9 +53,9 @@ impl Factors {
             dense: None,
             damped: None,
             held: Vec::with_capacity(n_rows),
-            ahead: Ahead::new(n_q, n_rows),
+            ahead: Ahead::new([n_q, n_v], n_rows),
             rank: None,
-            right_side: vec![0.0; n_q + n_rows],
+            right_side: vec![0.0; n_v + n_rows],
         }
     }
 
@@ -80,14 +80,15 @@ pub(super) struct Ahead {
     /// Where they were found; NaN where they are not good.
     t: f64,
     q: Vec<f64>,
+    n_v: usize,
     smallest_pivot: f64,
     /// As [`Equations::projected_accelerations`](crate::model::Equations::projected_accelerations) wrote them.
     out: Vec<f64>,
 }
 
 impl Ahead {
-    fn new(n_q: usize, n_rows: usize) -> Self {
-        Self { t: f64::NAN, q: vec![0.0; n_q], smallest_pivot: 0.0, out: vec![0.0; 2 * (n_q + n_rows)] }
+    fn new([n_q, n_v]: [usize; 2], n_rows: usize) -> Self {
+        Self { t: f64::NAN, q: vec![0.0; n_q], n_v, smallest_pivot: 0.0, out: vec![0.0; 2 * (n_v + n_rows)] }
     }
 
     pub(super) fn forget(&mut self) {
@@ -114,9 +115,8 @@ impl Ahead {
 
     /// Residuals of the velocity constraints before, and the velocities after the projection.
     pub(super) fn velocities(&self) -> (&[f64], &[f64]) {
-        let n_q = self.q.len();
-        let (residual, solution) = self.out.split_at(self.out.len() / 2 - n_q);
-        (residual, &solution[..n_q])
+        let (residual, solution) = self.out.split_at(self.out.len() / 2 - self.n_v);
+        (residual, &solution[..self.n_v])
     }
 
     /// Smallest pivot, and a and λ one behind the other, where they were found at this state.

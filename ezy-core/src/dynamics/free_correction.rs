@@ -3,12 +3,11 @@
 use super::System;
 use super::tolerances::start::{DAMPING, LARGEST_DENSE_START, RANK_TOLERANCE};
 use crate::linalg::{HAS_SPARSE, KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
-use crate::model::coordinate::is_angle;
 use crate::model::{Equations as _, SceneRef};
 use nalgebra::{DMatrix, DVector};
 
 impl<P: SceneRef> System<P> {
-    /// Change of the coordinates (or velocities) that are not given, smallest in the mass matrix, that removes the
+    /// Change of the velocities (or, in their axes, of the coordinates) that are not given, smallest in the mass matrix, that removes the
     /// residual of the first `n_rows` rows in the buffer to first order, in the least-squares sense.
     pub(super) fn free_correction(&mut self, t: f64, q: &[f64], n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
@@ -27,7 +26,7 @@ impl<P: SceneRef> System<P> {
     }
 
     pub(super) fn starts_sparse(&self) -> bool {
-        HAS_SPARSE && self.info.n_coordinates() > LARGEST_DENSE_START
+        HAS_SPARSE && self.info.n_velocities() > LARGEST_DENSE_START
     }
 
     /// By `[W Gᵀ; G −D] [δ; μ] = [0; −r]` over the free coordinates, with D a small share of `G W⁻¹ Gᵀ`.
@@ -62,7 +61,7 @@ impl<P: SceneRef> System<P> {
     /// coordinates cannot, as little as possible in the mass matrix; these take the rest.
     fn dense_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
         let sizes = &self.geometry.sizes;
-        let unit = |column: usize| match (self.mass[column] > 0.0, is_angle(column)) {
+        let unit = |column: usize| match (self.mass[column] > 0.0, self.geometry.turns[column]) {
             (true, _) => self.mass[column].sqrt(),
             (false, true) => self.geometry.length,
             (false, false) => 1.0,

@@ -2,7 +2,7 @@
 
 use super::tolerances::start::RANK_TOLERANCE;
 use super::{State, System};
-use crate::model::coordinate::is_angle;
+use crate::model::body_kind;
 use crate::model::{Equations as _, Name, SceneRef, Start};
 use crate::scalar::GOLDEN_RATIO;
 
@@ -14,19 +14,20 @@ impl<P: SceneRef> System<P> {
     /// That of a pass of [`System::consistent_start`] at each level.
     pub(crate) fn free_values(&mut self, start: &Start, state: &State) -> Vec<Name> {
         let (n_h, n_c) = (self.info.n_position_rows, self.info.n_rows());
-        let positions = self.free_places(state, n_h, &start.q_given);
+        let positions = self.free_places(state, n_h, &body_kind::held(&self.info.kinds, &start.q_given));
         let moves = start.v_given.iter().zip(&start.v).any(|(given, v)| *given && *v != 0.0);
         let velocities = if moves { self.free_places(state, n_c, &start.v_given) } else { Vec::new() };
         let coordinates = &self.info.coordinates;
-        let positions = positions.iter().map(|&i| coordinates[i].name.clone());
-        positions.chain(velocities.iter().map(|&i| coordinates[i].velocity_name.clone())).collect()
+        let moved = body_kind::coordinates_moved(&self.info.kinds, self.info.n_velocities());
+        let positions = positions.iter().map(|&i| coordinates[moved[i]].name.clone());
+        positions.chain(velocities.iter().map(|&i| self.info.velocities[i].name.clone())).collect()
     }
 
     /// Places that are not `given` and not determined by the first `n_rows` rows: a change of all that is not given, which the rows are
     /// then satisfied with again, leaves something of itself in these.
     fn free_places(&mut self, state: &State, n_rows: usize, given: &[bool]) -> Vec<usize> {
-        let length = self.geometry.length;
-        let unit = |i: usize| if is_angle(i) { 1.0 } else { length };
+        let (length, turns) = (self.geometry.length, self.geometry.turns.clone());
+        let unit = |i: usize| if turns[i] { 1.0 } else { length };
         // between half a unit and one, of no pattern that rows could have
         let amount = |i: usize| 0.5 + 0.5 * ((i + 1) as f64 * GOLDEN_RATIO).fract();
         let change = |i: usize| if given[i] { 0.0 } else { amount(i) * unit(i) };

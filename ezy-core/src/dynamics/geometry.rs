@@ -1,8 +1,7 @@
 //! How large a mechanism is, so that a watch and a crane are held to the same digits.
 
 use super::tolerances::geometry::{LARGEST_VALUE, ROUNDING_OF_ROWS, TOLERANCE};
-use crate::model::coordinate::is_angle;
-use crate::model::{SceneInfo, Start};
+use crate::model::{CoordinateInfo, SceneInfo, Start};
 
 /// Lengths that say what is small, read once off the slopes of the rows at the scene's start.
 pub(super) struct Geometry {
@@ -10,30 +9,36 @@ pub(super) struct Geometry {
     pub length: f64,
     /// Change of each row, `n_c`, when bodies move by that length and turn by a radian.
     pub sizes: Vec<f64>,
-    /// Lever of each angle, m; 1 for lengths.
+    /// Lever of each turn, m; 1 for displacements. As many as velocities.
     pub units: Vec<f64>,
+    /// Which velocities are those of turns.
+    pub turns: Vec<bool>,
+    /// Which coordinates are lengths.
+    pub lengths: Vec<bool>,
 }
 
 impl Geometry {
     /// From the entries of G at the coordinates of a start; those that are not finite there say nothing.
     pub(super) fn new(info: &SceneInfo, jacobian: &[f64], start: &Start) -> Self {
-        let n_q = info.n_coordinates();
+        let turns: Vec<bool> = info.velocities.iter().map(CoordinateInfo::is_angle).collect();
+        let lengths: Vec<bool> = info.coordinates.iter().map(CoordinateInfo::is_length).collect();
         let entries = || info.jacobian.entries().map(|(k, row, column)| (jacobian[k].abs(), row, column));
         let mut longest = vec![0.0_f64; info.n_rows()];
-        for (g, row, _) in entries().filter(|(g, _, column)| g.is_finite() && !is_angle(*column)) {
+        for (g, row, _) in entries().filter(|(g, _, column)| g.is_finite() && !turns[*column]) {
             longest[row] = longest[row].max(g);
         }
-        let mut levers = vec![0.0_f64; n_q];
+        let mut levers = vec![0.0_f64; turns.len()];
         for (g, row, column) in
-            entries().filter(|(g, row, column)| is_angle(*column) && longest[*row] > 0.0 && g.is_finite())
+            entries().filter(|(g, row, column)| turns[*column] && longest[*row] > 0.0 && g.is_finite())
         {
             levers[column] = levers[column].max(g / longest[row]);
         }
-        let places = start.q.iter().enumerate().filter(|(i, x)| !is_angle(*i) && x.is_finite()).map(|(_, x)| x.abs());
+        let places =
+            start.q.iter().zip(&lengths).filter(|(x, is_length)| **is_length && x.is_finite()).map(|(x, _)| x.abs());
         let length =
             [largest(levers.iter().copied()), largest(places)].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
         for (i, lever) in levers.iter_mut().enumerate() {
-            match is_angle(i) {
+            match turns[i] {
                 true if *lever == 0.0 => *lever = length,
                 true => {}
                 false => *lever = 1.0,
@@ -41,15 +46,22 @@ impl Geometry {
         }
         let mut sizes = vec![0.0_f64; info.n_rows()];
         for (g, row, column) in entries().filter(|(g, ..)| g.is_finite()) {
-            sizes[row] = sizes[row].max(if is_angle(column) { g } else { g * length });
+            sizes[row] = sizes[row].max(if turns[column] { g } else { g * length });
         }
         sizes.iter_mut().filter(|size| **size == 0.0).for_each(|size| *size = 1.0);
-        Self { length, sizes, units: levers }
+        Self { length, sizes, units: levers, turns, lengths }
     }
 
-    /// Largest of coordinates, or of velocities, in units of the length and of radians.
-    pub(super) fn extent(&self, x: &[f64]) -> f64 {
-        largest(x.iter().enumerate().map(|(i, x)| if is_angle(i) { x.abs() } else { x.abs() / self.length }))
+    /// Largest of coordinates, in units of the length; angles and parts of quaternions as they are.
+    pub(super) fn extent(&self, q: &[f64]) -> f64 {
+        let sizes = q.iter().zip(&self.lengths);
+        largest(sizes.map(|(x, is_length)| if *is_length { x.abs() / self.length } else { x.abs() }))
+    }
+
+    /// Largest of velocities, or of displacements, in units of the length and of radians.
+    pub(super) fn extent_of_velocities(&self, v: &[f64]) -> f64 {
+        let sizes = v.iter().zip(&self.turns);
+        largest(sizes.map(|(x, turns)| if *turns { x.abs() } else { x.abs() / self.length }))
     }
 
     /// Largest of displacements, or of velocities, as lengths: angles times their levers.
@@ -135,7 +147,8 @@ mod tests {
 
     /// Rows of sizes 4, 1/2 and 1 of a mechanism of 2 m, with a lever of 3 m.
     fn geometry() -> Geometry {
-        Geometry { length: 2.0, sizes: vec![4.0, 0.5, 1.0], units: vec![1.0, 1.0, 3.0] }
+        let (turns, lengths) = (vec![false, false, true], vec![true, true, false]);
+        Geometry { length: 2.0, sizes: vec![4.0, 0.5, 1.0], units: vec![1.0, 1.0, 3.0], turns, lengths }
     }
 
     /// Rounding of a product or two.

@@ -45,7 +45,7 @@ pub use moved::MovedValue;
 pub(crate) use on_rows::OnRows;
 pub use projection::{Metric, Projection};
 pub use rank::RankLoss;
-pub(crate) use residual::Jacobians;
+pub(crate) use residual::{Jacobians, ResidualPlaces};
 pub(crate) use row::SystemRow;
 pub(crate) use solved::Rows;
 pub use solved::Solved;
@@ -66,7 +66,7 @@ pub struct State<T = f64> {
     pub t: f64,
     /// Coordinates, `n_q`.
     pub q: Vec<T>,
-    /// Velocities, `n_q`.
+    /// Velocities, `n_v`.
     pub v: Vec<T>,
     /// First-order states, `n_z`, each in its unit.
     pub z: Vec<T>,
@@ -75,17 +75,17 @@ pub struct State<T = f64> {
 }
 
 impl State {
-    /// Everything zero, without first-order states.
+    /// Everything zero, without first-order states and with as many velocities as coordinates.
     pub fn zero(n_coordinates: usize, n_effects: usize) -> Self {
-        Self::zeros(n_coordinates, 0, n_effects)
+        Self::zeros([n_coordinates; 2], 0, n_effects)
     }
 }
 
 impl<T: Scalar> State<T> {
-    /// Everything zero, in numbers `T`.
-    pub(crate) fn zeros(n_coordinates: usize, n_states: usize, n_effects: usize) -> Self {
+    /// Everything zero, in numbers `T`, for n_q coordinates and n_v velocities.
+    pub(crate) fn zeros(n_q_and_v: [usize; 2], n_states: usize, n_effects: usize) -> Self {
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
-        let [q, v] = [zeros(n_coordinates), zeros(n_coordinates)];
+        let [q, v] = n_q_and_v.map(zeros);
         Self { t: 0.0, q, v, z: zeros(n_states), work: zeros(n_effects) }
     }
 
@@ -118,7 +118,7 @@ pub(crate) fn not_finite<T: Scalar>(info: &SceneInfo, q: &[T], v: &[T]) -> Optio
     let first = |x: &[T]| x.iter().position(|x| !x.is_finite());
     match first(q) {
         Some(i) => Some(info.coordinates[i].name.clone()),
-        None => first(v).map(|i| info.coordinates[i].velocity_name.clone()),
+        None => first(v).map(|i| info.velocities[i].name.clone()),
     }
 }
 

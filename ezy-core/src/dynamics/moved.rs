@@ -20,14 +20,9 @@ pub struct MovedValue {
 }
 
 impl MovedValue {
-    /// Coordinate `i` of a start, and of what was assembled from it.
-    pub(super) fn of_coordinate(coordinate: &CoordinateInfo, given: f64, got: f64) -> Self {
+    /// Of a coordinate or velocity of a start, and of what was assembled from it.
+    pub(super) fn of(coordinate: &CoordinateInfo, given: f64, got: f64) -> Self {
         Self { name: coordinate.name.clone(), unit: coordinate.unit, given, got }
-    }
-
-    pub(super) fn of_velocity(coordinate: &CoordinateInfo, given: f64, got: f64) -> Self {
-        let unit = if coordinate.unit == "rad" { "rad/s" } else { "m/s" };
-        Self { name: coordinate.velocity_name.clone(), unit, given, got }
     }
 
     /// `rod.phi near 1.2 rad`

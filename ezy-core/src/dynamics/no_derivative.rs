@@ -1,6 +1,5 @@
 //! Laws without a derivative at a state, such as `norm(v)` at rest: for messages about runs that cannot be continued.
 
-use super::residual::Jacobians;
 use super::{MotionError, System};
 use crate::model::{Derived as _, Name, SceneInfo, SceneRef};
 
@@ -21,14 +20,14 @@ impl<P: SceneRef> System<P> {
             return cause;
         }
         let Some(places) = self.scene.jacobian_places() else { return cause };
-        let Jacobians { mut by_q, mut by_v, .. } = Jacobians::zero(&self.info, &places);
+        let [mut by_q, mut by_v] = [&places.by_q, &places.by_v].map(|places| vec![0.0; places.len()]);
         self.scene.jacobians(&self.fixed, t, q, v, a, lambda, &mut by_q, &mut by_v);
-        let coordinates = &self.info.coordinates;
+        let (coordinates, velocities) = (&self.info.coordinates, &self.info.velocities);
         let undefined = |places: &[(usize, usize)], entries: &[f64]| {
-            let mut of_forces = places.iter().zip(entries).filter(|((row, _), _)| *row < coordinates.len());
+            let mut of_forces = places.iter().zip(entries).filter(|((row, _), _)| *row < velocities.len());
             of_forces.find(|(_, entry)| !entry.is_finite()).map(|(place, _)| *place)
         };
-        let by_velocity = undefined(&places.by_v, &by_v).map(|(row, i)| (row, &coordinates[i].velocity_name));
+        let by_velocity = undefined(&places.by_v, &by_v).map(|(row, i)| (row, &velocities[i].name));
         let found = by_velocity.or(undefined(&places.by_q, &by_q).map(|(row, i)| (row, &coordinates[i].name)));
         let Some((row, by)) = found else { return cause };
         let (force_on, by, terms) = (coordinates[row].name.clone(), by.clone(), terms(&self.info, row, by));

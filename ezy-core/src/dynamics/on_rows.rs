@@ -39,6 +39,10 @@ impl<P: SceneRef> Dynamics<f64> for OnRows<'_, P> {
         self.system.accelerations_unchecked(t, on_q, on_v, a, lambda, Rows::Held).map(|_| ())
     }
 
+    fn position_rates(&self, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.system.position_rates(q, v, out);
+    }
+
     fn place_states(&mut self, z: &[f64]) {
         self.system.place_states(z);
     }

@@ -8,7 +8,7 @@ use super::tolerances::projection::{
 };
 use super::{MotionError, Projected, System, Worst, max_abs};
 use crate::linalg::{INDEPENDENT, Independent};
-use crate::model::{Equations as _, SceneRef};
+use crate::model::{Equations as _, SceneRef, body_kind};
 
 /// What is projected after each step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -182,6 +182,7 @@ impl<P: SceneRef> System<P> {
     #[inline]
     fn move_onto_rows(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<([Worst; 2], usize), MotionError> {
         let n_h = self.info.n_position_rows;
+        body_kind::normalize(&self.info.kinds, q);
         let before = self.worst_position(t, q);
         let (mut worst, mut passes, mut solved) = (before, 0, Solved::default());
         loop {
@@ -229,8 +230,11 @@ impl<P: SceneRef> System<P> {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         let Buffers { jacobian, sums: rows, .. } = &mut self.buffers;
         rows.fill(0.0);
+        let moved = body_kind::coordinates_moved(&self.info.kinds, self.info.n_velocities());
         for (k, row, column) in self.info.jacobian.entries() {
-            rows[row] += (jacobian[k] * q[column]).abs();
+            // a part of a quaternion is rounded as its length is
+            let size = if self.info.coordinates[moved[column]].unit == "1" { 1.0 } else { q[moved[column]] };
+            rows[row] += (jacobian[k] * size).abs();
         }
         2.0 * f64::EPSILON * max_abs(&rows[..self.info.n_position_rows])
     }
@@ -253,7 +257,7 @@ impl<P: SceneRef> System<P> {
             Metric::Mass => self.correct(t, q, metric, Rows::Held)?,
             Metric::Euclidean => self.correct_first(t, q, n_h)?,
         };
-        q.iter_mut().zip(&self.buffers.delta).for_each(|(q, delta)| *q += delta);
+        body_kind::retract(&self.info.kinds, q, &self.buffers.delta);
         Ok(solved)
     }
 

@@ -88,7 +88,7 @@ impl<P: SceneRef> System<P> {
     /// The rows that depend on each other at a state. Slow, for reports.
     pub fn rank_loss(&mut self, t: f64, q: &[f64]) -> RankLoss {
         let (info, n_rows) = (Arc::clone(&self.info), self.info.n_rows());
-        let n_coordinates = info.n_coordinates();
+        let n_coordinates = info.n_velocities();
         let name = |i: usize| info.rows[i].name.clone();
         match self.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.dependencies()) {
             Some(found) => {

@@ -1,40 +1,72 @@
 //! What accelerations and multipliers that are not the solution leave of the equations of motion.
 
 use super::System;
-use crate::model::{Derived as _, Equations as _, JacobianPlaces, SceneInfo, SceneRef};
+use crate::model::{Derived as _, Equations as _, JacobianPlaces, Scene, SceneInfo, SceneRef};
 
-/// Jacobians of [`System::residual`] in the order of [`Derived::jacobian_places`](crate::model::Derived::jacobian_places), and G at the same state.
+/// Row and column of each entry of [`Jacobians`].
+#[derive(Debug)]
+pub(crate) struct ResidualPlaces {
+    /// Of R_q and R_v.
+    pub by_motion: JacobianPlaces,
+    /// Of R_z.
+    pub by_z: Vec<(usize, usize)>,
+}
+
+impl ResidualPlaces {
+    /// Those of a scene; none when it does not know its Jacobians.
+    pub(crate) fn of<S: Scene + ?Sized>(scene: &S) -> Option<Self> {
+        let by_motion = scene.jacobian_places()?;
+        Some(Self { by_motion, by_z: scene.state_jacobian_places() })
+    }
+}
+
+/// Jacobians of [`System::residual`] in the order of [`ResidualPlaces`], and G at the same state.
 #[derive(Debug, Clone)]
 pub(crate) struct Jacobians {
     /// R_q.
     pub by_q: Vec<f64>,
     /// R_v.
     pub by_v: Vec<f64>,
+    /// R_z.
+    pub by_z: Vec<f64>,
     /// Entries of G in the order of [`SceneInfo::jacobian`].
     pub jacobian: Vec<f64>,
 }
 
 impl Jacobians {
     /// Zeros at these places.
-    pub(crate) fn zero(info: &SceneInfo, places: &JacobianPlaces) -> Self {
+    pub(crate) fn zero(info: &SceneInfo, places: &ResidualPlaces) -> Self {
         let zeros = |n: usize| vec![0.0; n];
         Self {
-            by_q: zeros(places.by_q.len()),
-            by_v: zeros(places.by_v.len()),
+            by_q: zeros(places.by_motion.by_q.len()),
+            by_v: zeros(places.by_motion.by_v.len()),
+            by_z: zeros(places.by_z.len()),
             jacobian: zeros(info.jacobian.n_nonzeros()),
         }
     }
 }
 
 impl<P: SceneRef> System<P> {
-    /// `R = [F − M a − Gᵀ λ; −(G a + [h; s])]` (`n_q + n_c`), which vanishes at the accelerations and multipliers of a state.
+    /// `R = [F − M a − Gᵀ λ; −(G a + [h; s]); r − z']` (`n_q + n_c + n_z`), which vanishes at the accelerations, multipliers and `rates` z' of a
+    /// state; r are the rates of the first-order states that were set.
     ///
     /// # Cost
     /// Less than that of the accelerations; no factorisation, no allocation.
-    pub(crate) fn residual(&mut self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut [f64]) {
+    #[expect(clippy::too_many_arguments, reason = "the variables of R")]
+    pub(crate) fn residual(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        lambda: &[f64],
+        rates: &[f64],
+        out: &mut [f64],
+    ) {
         self.counters.evaluations += 1;
         let Self { scene, info, fixed, mass, buffers, .. } = self;
-        let (forces, rows) = out.split_at_mut(q.len());
+        let (forces, rest) = out.split_at_mut(q.len());
+        let (rows, states) = rest.split_at_mut(lambda.len());
         scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
         scene.applied_force(fixed, t, q, v, forces);
         scene.convective_term(fixed, t, q, v, rows);
@@ -50,6 +82,10 @@ impl<P: SceneRef> System<P> {
             }
             *row = -*row;
         }
+        if !states.is_empty() {
+            scene.state_rates(fixed, t, q, v, states);
+            states.iter_mut().zip(rates).for_each(|(state, rate)| *state -= rate);
+        }
     }
 
     /// Jacobians of [`System::residual`] at fixed accelerations and multipliers, and G. Where a law has no derivative, such as `norm(v)` at rest,
@@ -58,7 +94,11 @@ impl<P: SceneRef> System<P> {
         let Self { scene, fixed, .. } = self;
         scene.jacobians(fixed, t, q, v, a, lambda, &mut out.by_q, &mut out.by_v);
         scene.velocity_jacobian(fixed, t, q, &mut out.jacobian);
-        out.by_q.iter_mut().chain(&mut out.by_v).filter(|entry| !entry.is_finite()).for_each(|entry| *entry = 0.0);
+        if !out.by_z.is_empty() {
+            scene.state_jacobians(fixed, t, q, v, &mut out.by_z);
+        }
+        let Jacobians { by_q, by_v, by_z, .. } = out;
+        by_q.iter_mut().chain(by_v).chain(by_z).filter(|entry| !entry.is_finite()).for_each(|entry| *entry = 0.0);
     }
 
     /// A factorisation that a method makes by itself counts like those of K.

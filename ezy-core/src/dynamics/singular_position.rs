@@ -23,16 +23,16 @@ impl<P: SceneRef> System<P> {
         within_s: f64,
     ) -> Result<(), MotionError> {
         let State { t, q, v, .. } = state;
-        let (speed, pull) = (self.geometry.extent(v), self.geometry.extent(a));
+        let (speed, pull) = (self.geometry.extent_of_velocities(v), self.geometry.extent_of_velocities(a));
         if !solved.is_rank_deficient || self.info.n_unknowns() > LARGEST_DIAGNOSED || speed + pull == 0.0 {
             return Ok(());
         }
         let s = within_s.min(2.0 * BESIDE / (speed + (speed * speed + 2.0 * pull * BESIDE).sqrt()));
-        let moved = |(i, q): (usize, &f64)| q + s * (v[i] + 0.5 * s * a[i]);
-        let mut there: Vec<f64> = q.iter().enumerate().map(moved).collect();
+        let way: Vec<f64> = v.iter().zip(a).map(|(v, a)| s * (v + 0.5 * s * a)).collect();
+        let mut there = q.clone();
+        self.retract(&mut there, &way);
         let velocities: Vec<f64> = v.iter().zip(a).map(|(v, a)| v + s * a).collect();
-        let way: Vec<f64> = there.iter().zip(q).map(|(there, q)| there - q).collect();
-        let way = self.geometry.extent(&way);
+        let way = self.geometry.extent_of_velocities(&way);
         if way < SHORTEST {
             return Ok(());
         }
@@ -61,8 +61,10 @@ impl<P: SceneRef> System<P> {
         if self.project_onto_null_space(t, q, &mut way).is_err() {
             return false;
         }
-        let share = BESIDE / self.geometry.extent(&way);
-        let mut there: Vec<f64> = q.iter().zip(&way).map(|(q, way)| q + share * way).collect();
+        let share = BESIDE / self.geometry.extent_of_velocities(&way);
+        way.iter_mut().for_each(|way| *way *= share);
+        let mut there = q.to_vec();
+        self.retract(&mut there, &way);
         // of an error of 1e-6 one correction leaves 1e-12
         let corrected = self.with_rows_of(t, q, |system| system.polish_positions(t, &mut there));
         let beside = self.rank_at(t, &there, Independent::Above(INDEPENDENT)).map(|rank| rank.rank());

@@ -4,8 +4,7 @@ use super::moved::MovedValue;
 use super::tolerances::geometry::LARGEST_VALUE;
 use super::tolerances::start::{LARGEST_TURN, LAST_DIGITS, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
 use super::{StartError, State, System, max_abs};
-use crate::model::coordinate::is_angle;
-use crate::model::{Name, Scene as _, SceneRef, Start};
+use crate::model::{CoordinateInfo, Name, Scene as _, SceneRef, Start, body_kind};
 use crate::scalar::GOLDEN_RATIO;
 
 /// What a place leaves of the position constraints.
@@ -27,7 +26,7 @@ impl Residual {
 impl<P: SceneRef> System<P> {
     /// The start values of the scene.
     pub fn scene_start(&self) -> Start {
-        let mut start = Start::free(self.info.n_coordinates());
+        let mut start = Start::free_of(&self.info);
         start.z.extend(self.info.states.iter().map(|state| state.default));
         self.scene.start(&self.fixed, &mut start);
         start
@@ -51,13 +50,14 @@ impl<P: SceneRef> System<P> {
     pub fn consistent_start(&mut self, start: &Start) -> Result<State, StartError> {
         self.check_finite(start)?;
         let (n_z, n_effects) = (self.info.n_states(), self.info.n_effects());
-        let mut state = State::zeros(self.info.n_coordinates(), n_z, n_effects);
+        let mut state = State::zeros([self.info.n_coordinates(), self.info.n_velocities()], n_z, n_effects);
         state.t = start.t;
         let given = start.z.iter().copied().map(Some).chain(std::iter::repeat(None));
         let values = self.info.states.iter().zip(given).map(|(declared, given)| given.unwrap_or(declared.default));
         state.z.iter_mut().zip(values).for_each(|(z, value)| *z = value);
         self.place_states(&state.z);
         state.q.copy_from_slice(&start.q);
+        body_kind::normalize(&self.info.kinds, &mut state.q);
         state.v.copy_from_slice(&start.v);
         let free = start.without_near();
         if let Err(error) = self.assemble_positions(start, &mut state.q) {
@@ -65,7 +65,7 @@ impl<P: SceneRef> System<P> {
             let guess = state.q.clone();
             // from the best that could be done while they were held; centres give way before angles
             let mut angles = start.clone();
-            (0..angles.q.len()).filter(|&i| !is_angle(i)).for_each(|i| angles.q_given[i] = free.q_given[i]);
+            (0..angles.q.len()).filter(|&i| self.geometry.lengths[i]).for_each(|i| angles.q_given[i] = free.q_given[i]);
             if self.assemble_positions(&angles, &mut state.q).is_err() {
                 self.assemble_positions(free, &mut state.q)?;
                 self.check_mode(start, &guess, &state)?;
@@ -80,10 +80,13 @@ impl<P: SceneRef> System<P> {
 
     fn check_finite(&self, start: &Start) -> Result<(), StartError> {
         let positions = self.info.coordinates.iter().map(|c| &c.name).zip(&start.q);
-        let velocities = self.info.coordinates.iter().map(|c| &c.velocity_name).zip(&start.v);
+        let velocities = self.info.velocities.iter().map(|c| &c.name).zip(&start.v);
         let (expected, found) = (self.info.n_states(), start.z.len());
         if found > expected {
             return Err(StartError::States { expected, found });
+        }
+        if let Some(body) = body_kind::without_attitude(&self.info.kinds, &start.q) {
+            return Err(StartError::NoAttitude { body: self.info.bodies[body].clone() });
         }
         let states = self.info.states.iter().map(|state| state.name).zip(&start.z);
         if let Some((name, &value)) = states.clone().find(|(_, value)| !value.is_finite()) {
@@ -101,15 +104,16 @@ impl<P: SceneRef> System<P> {
     }
 
     fn assemble_positions(&mut self, start: &Start, q: &mut [f64]) -> Result<(), StartError> {
-        let mut left = self.approach(start, q);
+        let held = body_kind::held(&self.info.kinds, &start.q_given);
+        let mut left = self.approach(start.t, &held, q);
         let mut trial = q.to_vec();
         for n in 0..MAX_NUDGES {
-            if left.is_met() || start.q_given.iter().all(|given| *given) {
+            if left.is_met() || held.iter().all(|held| *held) {
                 break;
             }
             trial.copy_from_slice(q);
-            self.perturb(&mut trial, &start.q_given, left.share, n);
-            let other = self.approach(start, &mut trial);
+            self.perturb(&mut trial, &held, left.share, n);
+            let other = self.approach(start.t, &held, &mut trial);
             if other.is_met() || left.length.is_nan() || other.length < left.length {
                 q.copy_from_slice(&trial);
                 left = other;
@@ -127,10 +131,10 @@ impl<P: SceneRef> System<P> {
     }
 
     /// Gauss–Newton from `q` as far as it goes, with steps halved until they shorten the residual. Rows that are met at the
-    /// first look leave `q` alone; else one pass more, for rounding, follows the one that meets them.
-    fn approach(&mut self, start: &Start, q: &mut [f64]) -> Residual {
-        let (t, n_h) = (start.t, self.info.n_position_rows);
-        let mut trial = q.to_vec();
+    /// first look leave `q` alone; else one pass more, for rounding, follows the one that meets them. What is `held` (`n_v`) does not move.
+    fn approach(&mut self, t: f64, held: &[bool], q: &mut [f64]) -> Residual {
+        let n_h = self.info.n_position_rows;
+        let (mut trial, mut part) = (q.to_vec(), vec![0.0; held.len()]);
         let mut left = self.position_residual_at(t, q);
         if left.is_met() {
             return left;
@@ -138,14 +142,16 @@ impl<P: SceneRef> System<P> {
         for _ in 0..MAX_PASSES {
             let is_last = left.is_met();
             self.position_residual(t, q);
-            let Some(step) = self.free_correction(t, q, n_h, &start.q_given) else { break };
-            let turns = step.iter().enumerate().filter(|(i, _)| is_angle(*i));
-            let turn = turns.fold(0.0, |turn: f64, (_, angle)| turn.max(angle.abs()));
+            let Some(step) = self.free_correction(t, q, n_h, held) else { break };
+            let turns = step.iter().zip(&self.geometry.turns).filter(|(_, turns)| **turns);
+            let turn = turns.fold(0.0, |turn: f64, (angle, _)| turn.max(angle.abs()));
             // a least-squares step shortens the vector of residuals, not always the largest of them
             let mut fraction = (LARGEST_TURN / turn).min(1.0);
             let mut improved = false;
             for _ in 0..MAX_HALVINGS {
-                trial.iter_mut().zip(q.iter()).zip(&step).for_each(|((x, q), s)| *x = q + fraction * s);
+                trial.copy_from_slice(q);
+                part.iter_mut().zip(&step).for_each(|(part, step)| *part = fraction * step);
+                self.retract(&mut trial, &part);
                 let there = self.position_residual_at(t, &trial);
                 if there.length < left.length {
                     q.copy_from_slice(&trial);
@@ -172,15 +178,16 @@ impl<P: SceneRef> System<P> {
         }
     }
 
-    /// Moves what is not given: angles by up to [`LARGEST_TURN`], lengths by up to `share` of the mechanism's, the residual (all of it
+    /// Moves what is not `held` (`n_v`): angles by up to [`LARGEST_TURN`], lengths by up to `share` of the mechanism's, the residual (all of it
     /// where that is not a number). The amounts are multiples of the golden ratio without their whole parts, which fill an interval evenly.
-    fn perturb(&self, q: &mut [f64], given: &[bool], share: f64, n: usize) {
+    fn perturb(&self, q: &mut [f64], held: &[bool], share: f64, n: usize) {
         let length = self.geometry.length * if share.is_finite() { share } else { 1.0 };
-        let n_q = q.len();
-        for (i, x) in q.iter_mut().enumerate().filter(|(i, _)| !given[*i]) {
-            let amount = 2.0 * ((n * n_q + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
-            *x += amount * if is_angle(i) { LARGEST_TURN } else { length };
+        let mut by = vec![0.0; held.len()];
+        for (i, by) in by.iter_mut().enumerate().filter(|(i, _)| !held[*i]) {
+            let amount = 2.0 * ((n * held.len() + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
+            *by = amount * if self.geometry.turns[i] { LARGEST_TURN } else { length };
         }
+        self.retract(q, &by);
     }
 
     fn assemble_velocities(&mut self, start: &Start, q: &[f64], v: &mut [f64]) -> Result<(), StartError> {
@@ -190,7 +197,7 @@ impl<P: SceneRef> System<P> {
         self.velocity_residual(t, q, &trial);
         let drive = self.geometry.share(&self.buffers.residual);
         // where the guess can only come to rest, what is left of it is rounding
-        let drive = drive.max(self.geometry.extent(&start.v));
+        let drive = drive.max(self.geometry.extent_of_velocities(&start.v));
         let mut excess = self.velocity_excess(t, q, v, drive);
         let mut length = self.residual_length(n_c);
         for _ in 0..MAX_PASSES {
@@ -212,16 +219,16 @@ impl<P: SceneRef> System<P> {
             return Ok(());
         }
         self.velocity_residual(t, q, v);
-        let names = self.info.coordinates.iter().map(|c| &c.velocity_name);
+        let names = self.info.velocities.iter().map(|c| &c.name);
         let held = start.v_given.iter().zip(names).filter(|(given, _)| **given).map(|(_, name)| name.clone());
-        let extent = self.geometry.extent(v).max(drive);
+        let extent = self.geometry.extent_of_velocities(v).max(drive);
         let tolerances = (0..n_c).map(|row| self.geometry.velocity_tolerance(row, extent));
         Err(self.contradiction("velocity", &tolerances.collect::<Vec<_>>(), held.collect()))
     }
 
     fn velocity_excess(&mut self, t: f64, q: &[f64], v: &[f64], drive: f64) -> f64 {
         self.velocity_residual(t, q, v);
-        self.geometry.velocity_excess(&self.buffers.residual, self.geometry.extent(v).max(drive))
+        self.geometry.velocity_excess(&self.buffers.residual, self.geometry.extent_of_velocities(v).max(drive))
     }
 
     /// Euclidean length of the first residuals in the buffer, in units of the sizes of their rows.
@@ -248,21 +255,18 @@ impl<P: SceneRef> System<P> {
     /// The given values of `start` that changed when `state` was assembled from it, coordinates first. Those that only got their last
     /// digits (1e-6 rad, or as much of the longest lever; of the largest velocity for velocities) are left out.
     pub fn moved_values(&self, start: &Start, state: &State) -> Vec<MovedValue> {
-        let (info, length) = (&self.info, self.geometry.length);
-        let speed = self.geometry.extent(&start.v).max(self.geometry.extent(&state.v));
-        let unit = |i: usize| if is_angle(i) { 1.0 } else { length };
-        let has_moved = |i: usize, near: &[bool], given: f64, got: f64, size: f64| {
-            near[i] && (got - given).abs() > LAST_DIGITS * size
+        let geometry = &self.geometry;
+        let speed = geometry.extent_of_velocities(&start.v).max(geometry.extent_of_velocities(&state.v));
+        let size_of = |info: &CoordinateInfo| if info.is_length() { geometry.length } else { 1.0 };
+        let moved = |infos: &[CoordinateInfo], near: &[bool], given: &[f64], got: &[f64], speed: f64| {
+            let values = infos.iter().zip(near).zip(given).zip(got).filter(|(((_, near), _), _)| **near);
+            let moved =
+                values.filter(|(((info, _), given), got)| (*got - *given).abs() > LAST_DIGITS * size_of(info) * speed);
+            moved.map(|(((info, _), given), got)| MovedValue::of(info, *given, *got)).collect::<Vec<_>>()
         };
-        let coordinates = info.coordinates.iter().enumerate();
-        let positions = coordinates.clone().zip(&start.q).zip(&state.q);
-        let positions =
-            positions.filter(|(((i, _), given), got)| has_moved(*i, &start.q_near, **given, **got, unit(*i)));
-        let velocities = coordinates.zip(&start.v).zip(&state.v);
-        let velocities =
-            velocities.filter(|(((i, _), given), got)| has_moved(*i, &start.v_near, **given, **got, unit(*i) * speed));
-        let positions = positions.map(|(((_, c), given), got)| MovedValue::of_coordinate(c, *given, *got));
-        positions.chain(velocities.map(|(((_, c), given), got)| MovedValue::of_velocity(c, *given, *got))).collect()
+        let mut values = moved(&self.info.coordinates, &start.q_near, &start.q, &state.q, 1.0);
+        values.extend(moved(&self.info.velocities, &start.v_near, &start.v, &state.v, speed));
+        values
     }
 }
 

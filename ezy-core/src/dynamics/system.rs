@@ -6,7 +6,7 @@ use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
 use super::tolerances::backend::{FURTHEST_APART, LARGEST_FOR_LIGHT, LIGHTEST, RANGE};
 use crate::linalg::{Backend, HAS_SPARSE, KktFactorization, LARGEST_DENSE, SparseKkt, by_joints};
-use crate::model::coordinate::{body_and_component, is_angle};
+use crate::model::body_kind;
 use crate::model::{Equations as _, Name, Scene as _, SceneInfo, SceneRef, Start};
 use std::sync::Arc;
 
@@ -87,14 +87,14 @@ impl<P: SceneRef> System<P> {
         fixed.iter_mut().zip(declared).for_each(|(value, declared)| *value = declared.default);
         let integrated = info.integrated_inputs.iter().map(|&i| [fixed[i], fixed[i + 1], fixed[i + SINCE]]).collect();
         scene.constants(parameters, &mut fixed);
-        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
-        let mut mass = vec![0.0; n_q];
+        let [n_q, n_v, n_c] = [info.n_coordinates(), info.n_velocities(), info.n_rows()];
+        let mut mass = vec![0.0; n_v];
         scene.mass_matrix(&fixed, &mut mass);
         if let Some(i) = mass.iter().position(|m| !(m.is_finite() && *m >= 0.0)) {
             let (body, quantity) = body_of(&info, i);
             return Err(SystemError::Mass { body, quantity, value: mass[i] });
         }
-        let mut start = Start::free(n_q);
+        let mut start = Start::free_of(&info);
         scene.start(&fixed, &mut start);
         let mut jacobian = vec![0.0; info.jacobian.n_nonzeros()];
         scene.velocity_jacobian(&fixed, start.t, &start.q, &mut jacobian);
@@ -108,13 +108,13 @@ impl<P: SceneRef> System<P> {
             scene,
             solver: solver(&info, &mass, needs_pivots, backend)?,
             geometry,
-            factors: Factors::new(n_q, n_c, jacobian.clone()),
+            factors: Factors::new([n_q, n_v], n_c, jacobian.clone()),
             least_pivot: 1.0,
             fixed,
             integrated,
             mass,
             euclidean: None,
-            buffers: Buffers { jacobian, sums: vec![0.0; n_c], residual: vec![0.0; n_c], delta: vec![0.0; n_q] },
+            buffers: Buffers { jacobian, sums: vec![0.0; n_c], residual: vec![0.0; n_c], delta: vec![0.0; n_v] },
             counters: Counters::default(),
             info,
         })
@@ -177,6 +177,18 @@ impl<P: SceneRef> System<P> {
         if !out.is_empty() {
             self.scene.state_rates(&self.fixed, t, q, v, out);
         }
+    }
+
+    /// q' = N(q) v, the rates of the coordinates: the velocities themselves where all bodies are planar. Writes `n_q`.
+    #[inline]
+    pub fn position_rates(&self, q: &[f64], v: &[f64], out: &mut [f64]) {
+        body_kind::position_rates(&self.info.kinds, q, v, out);
+    }
+
+    /// Moves the coordinates `q` by the small displacement `delta` (`n_v`) in the axes of the velocities: q + delta where all bodies are planar.
+    #[inline]
+    pub fn retract(&self, q: &mut [f64], delta: &[f64]) {
+        body_kind::retract(&self.info.kinds, q, delta);
     }
 
     /// Diagonal of M.
@@ -265,10 +277,11 @@ fn sparse(info: &SceneInfo) -> Result<Box<dyn KktFactorization>, SystemError> {
     if !HAS_SPARSE {
         return Err(SystemError::WithoutSparse { scene: info.name });
     }
-    let (n_q, n_rows) = (info.n_coordinates(), info.n_rows());
-    Ok(match by_joints(n_q, &info.jacobian, n_rows) {
+    let (n_v, n_rows) = (info.n_velocities(), info.n_rows());
+    let joints = if info.is_planar() { by_joints(n_v, &info.jacobian, n_rows) } else { None };
+    Ok(match joints {
         Some(kkt) => kkt,
-        None => Box::new(SparseKkt::new(n_q, &info.jacobian, n_rows)?),
+        None => Box::new(SparseKkt::new(n_v, &info.jacobian, n_rows)?),
     })
 }
 
@@ -285,5 +298,7 @@ pub(crate) fn described_solver(info: &SceneInfo) -> Option<(Backend, String)> {
 
 /// Body and kind of the mass that stands at entry `i` of the diagonal of M.
 fn body_of(info: &SceneInfo, i: usize) -> (Name, &'static str) {
-    (info.bodies[body_and_component(i).0].clone(), if is_angle(i) { "inertia" } else { "mass" })
+    let velocity = &info.velocities[i];
+    let body = velocity.name.rsplit_once('.').map_or(&*velocity.name, |(body, _)| body);
+    (body.to_owned().into(), if velocity.is_angle() { "inertia" } else { "mass" })
 }

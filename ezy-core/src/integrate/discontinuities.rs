@@ -95,6 +95,7 @@ pub(crate) struct EventDiscontinuities {
     layers: Vec<usize>,
     /// Values at the start of the step, at its end, and between.
     values: [Vec<f64>; 3],
+    q_rate: Vec<f64>,
     a: Vec<f64>,
     rate: Vec<f64>,
     lambda: Vec<f64>,
@@ -109,17 +110,19 @@ impl EventDiscontinuities {
         let [places, layers]: [Vec<usize>; 2] = [EventKind::Discontinuity, EventKind::Layer].map(of_kind);
         // without them there is nothing to look for
         let is_smooth = places.is_empty() && layers.is_empty();
-        let [n_s, n_q, n_z, n_c] = [info.events.len(), info.n_coordinates(), info.n_states(), info.n_rows()]
-            .map(|n| if is_smooth { 0 } else { n });
+        let [n_s, n_q, n_v, n_z, n_c] =
+            [info.events.len(), info.n_coordinates(), info.n_velocities(), info.n_states(), info.n_rows()]
+                .map(|n| if is_smooth { 0 } else { n });
         let zeros = |n: usize| vec![0.0; n];
         Self {
             places,
             layers,
             values: [zeros(n_s), zeros(n_s), zeros(n_s)],
-            a: zeros(n_q),
+            q_rate: zeros(n_q),
+            a: zeros(n_v),
             rate: zeros(n_z),
             lambda: zeros(n_c),
-            between: State::zeros(n_q, n_z, 0),
+            between: State::zeros([n_q, n_v], n_z, 0),
             chattering: 0,
         }
     }
@@ -144,13 +147,14 @@ impl EventDiscontinuities {
         if !self.are_crossed(system, from.state, &[end]) {
             return None;
         }
-        let Self { places, values: [before, after, inside], a, rate, lambda, between, .. } = self;
+        let Self { places, values: [before, after, inside], q_rate, a, rate, lambda, between, .. } = self;
         system.place_states(&end.z);
         system.accelerations_unchecked(end.t, &end.q, &end.v, a, lambda, Rows::Held).ok()?;
         system.state_rates(end.t, &end.q, &end.v, rate);
+        system.position_rates(&end.q, &end.v, q_rate);
         let (start, last) = (from.state.t, end.t);
         // works do not matter here
-        let to = Node { state: end, a, rate, power: from.power };
+        let to = Node { state: end, q_rate, a, rate, power: from.power };
         let resolution = resolution_at(last);
         let mut first = last;
         for &i in places.iter().filter(|&&i| changes(before[i], after[i])) {
@@ -266,9 +270,15 @@ fn changes(before: f64, after: f64) -> bool {
 /// The state after the time `t` with the accelerations at its start; works are left out.
 fn follow(from: Node<'_>, t: f64, out: &mut State) {
     let State { q, v, .. } = from.state;
+    let is_planar = q.len() == v.len();
     for (i, a) in from.a.iter().enumerate() {
-        out.q[i] = q[i] + t * (v[i] + 0.5 * t * a);
+        if is_planar {
+            out.q[i] = q[i] + t * (v[i] + 0.5 * t * a);
+        }
         out.v[i] = v[i] + t * a;
+    }
+    if !is_planar {
+        out.q.iter_mut().zip(q).zip(from.q_rate).for_each(|((out, q), rate)| *out = q + t * rate);
     }
     for (i, rate) in from.rate.iter().enumerate() {
         out.z[i] = from.state.z[i] + t * rate;
@@ -321,7 +331,7 @@ mod tests {
         }
 
         fn node(&self) -> Node<'_> {
-            Node { state: &self.state, a: &self.a, rate: &[], power: &[] }
+            Node { state: &self.state, q_rate: &self.state.v, a: &self.a, rate: &[], power: &[] }
         }
     }
 

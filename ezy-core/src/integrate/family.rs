@@ -22,6 +22,8 @@ pub struct MethodInfo {
     pub is_implicit: bool,
     /// What it needs of a scene besides accelerations.
     pub needs: Needs,
+    /// Whether it integrates bodies of any kind; others take planar bodies alone, of which q' = v.
+    pub takes_any_body: bool,
     /// Whether it integrates first-order states.
     pub takes_states: bool,
     /// Tolerance of a second run that shows the error of a first one, over that of the first.
@@ -70,10 +72,11 @@ pub(crate) trait Family {
     }
 }
 
-/// Numbers of coordinates, rows, first-order states and works.
+/// Numbers of coordinates, velocities, rows, first-order states and works.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sizes {
     pub n_q: usize,
+    pub n_v: usize,
     pub n_c: usize,
     pub n_z: usize,
     pub n_works: usize,
@@ -81,6 +84,6 @@ pub(crate) struct Sizes {
 
 impl Sizes {
     pub(crate) fn new(info: &SceneInfo, n_works: usize) -> Self {
-        Self { n_q: info.n_coordinates(), n_c: info.n_rows(), n_z: info.n_states(), n_works }
+        Self { n_q: info.n_coordinates(), n_v: info.n_velocities(), n_c: info.n_rows(), n_z: info.n_states(), n_works }
     }
 }

@@ -8,7 +8,9 @@ use crate::scalar::Scalar;
 pub(crate) struct Node<'a, T = f64> {
     /// The state.
     pub state: &'a State<T>,
-    /// Accelerations, `n_q`.
+    /// Rates of the coordinates, `n_q`: the velocities themselves where all bodies are planar.
+    pub q_rate: &'a [T],
+    /// Accelerations, `n_v`.
     pub a: &'a [T],
     /// Rates of the first-order states, `n_z`.
     pub rate: &'a [T],
@@ -17,9 +19,10 @@ pub(crate) struct Node<'a, T = f64> {
 }
 
 /// The state at the time `t` within the step: positions by the quintic polynomial through q, v, a at both ends,
-/// velocities by its derivative, first-order states and works by the cubic through them and their rates.
+/// velocities by its derivative, first-order states and works by the cubic through them and their rates. Where not all bodies are
+/// planar, positions and velocities are by cubics, too.
 ///
-/// The error of positions is of order 6 in the step, of velocities 5, of works 4: not above that of the steps. The
+/// The error of positions is of order 6 in the step, of velocities 5, of cubics 4: not above that of the steps. The
 /// constraints are satisfied to the same order.
 ///
 /// # Source
@@ -43,7 +46,8 @@ pub(crate) fn interpolate<T: Scalar>(from: Node<'_, T>, to: Node<'_, T>, t: f64,
         [h, end, end_rate, slope_from, slope_to, bend_from, bend_to].map(T::from_f64);
     let [slope_from_rate, slope_to_rate, bend_from_rate, bend_to_rate] =
         [slope_from_rate, slope_to_rate, bend_from_rate, bend_to_rate].map(T::from_f64);
-    for i in 0..out.q.len() {
+    let is_planar = out.q.len() == out.v.len();
+    for i in 0..if is_planar { out.q.len() } else { 0 } {
         let (q0, q1, v0, v1) = (from.state.q[i], to.state.q[i], from.state.v[i], to.state.v[i]);
         let (a0, a1) = (from.a[i], to.a[i]);
         let rise = q1 - q0;
@@ -61,6 +65,10 @@ pub(crate) fn interpolate<T: Scalar>(from: Node<'_, T>, to: Node<'_, T>, t: f64,
             out[i] = w0 + rise * (w1 - w0) + bulge * (r * p0 - s * p1);
         }
     };
+    if !is_planar {
+        cubic(&mut out.q, [&from.state.q, &to.state.q], [from.q_rate, to.q_rate]);
+        cubic(&mut out.v, [&from.state.v, &to.state.v], [from.a, to.a]);
+    }
     cubic(&mut out.z, [&from.state.z, &to.state.z], [from.rate, to.rate]);
     cubic(&mut out.work, [&from.state.work, &to.state.work], [from.power, to.power]);
     out.t = t;
@@ -98,8 +106,8 @@ mod tests {
         };
         let ((from, a, power), (to, a_to, power_to)) = (at(begin), at(end));
         let nodes = [
-            Node { state: &from, a: &a, rate: &[], power: &power },
-            Node { state: &to, a: &a_to, rate: &[], power: &power_to },
+            Node { state: &from, q_rate: &from.v, a: &a, rate: &[], power: &power },
+            Node { state: &to, q_rate: &to.v, a: &a_to, rate: &[], power: &power_to },
         ];
         for t in [begin, -0.1, 0.3, 0.9, end] {
             let mut found = State::zero(1, 1);

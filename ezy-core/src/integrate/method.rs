@@ -50,7 +50,8 @@ macro_rules! methods {
                 n_works: usize,
                 tolerance: Tolerance,
             ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
-                if system.info().n_states() > 0 && !self.info().takes_states {
+                let (scene, method) = (system.info(), self.info());
+                if scene.n_states() > 0 && !method.takes_states || !(scene.is_planar() || method.takes_any_body) {
                     return Ok(None);
                 }
                 match self {

@@ -9,7 +9,7 @@ use super::tolerances::second_run::{ROUNDING, TIGHTER};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::scalar::Scalar;
 
-/// Stages of the method for q' = v, v' = a(t, q, v, z), z' = rates of first-order states, w' = power of each effect: the slope in the middle of the step, which half a step of
+/// Stages of the method for q' = N(q) v, v' = a(t, q, v, z), z' = rates of first-order states, w' = power of each effect: the slope in the middle of the step, which half a step of
 /// Euler's method finds, carries the whole step.
 ///
 /// # Source
@@ -30,16 +30,17 @@ impl Family for Midpoint {
         chooses_steps: false,
         is_implicit: false,
         needs: Needs::Nothing,
+        takes_any_body: true,
         takes_states: true,
         tighter: TIGHTER,
         rounding: ROUNDING,
     };
 
     fn in_any_number<D: Dynamics<T>, T: Scalar>(
-        Sizes { n_q, n_c, n_z, n_works }: Sizes,
+        Sizes { n_q, n_v, n_c, n_z, n_works }: Sizes,
         _tolerance: Tolerance,
     ) -> Option<Box<dyn Integrator<D, T>>> {
-        let zero = State::zeros(n_q, n_z, n_works);
+        let zero = State::zeros([n_q, n_v], n_z, n_works);
         let lambda = vec![T::from_f64(0.0); n_c];
         Some(Box::new(FixedSteps(Midpoint { stage: zero.clone(), slope: zero.clone(), rest: zero, lambda })))
     }
@@ -57,13 +58,13 @@ impl<T: Scalar> Stages<T> for Midpoint<T> {
         to: &mut State<T>,
     ) -> Result<(), MotionError> {
         let Self { stage, slope, rest, lambda } = self;
-        slope.q.copy_from_slice(&from.state.v);
+        slope.q.copy_from_slice(from.q_rate);
         slope.v.copy_from_slice(from.a);
         slope.z.copy_from_slice(from.rate);
         slope.work.copy_from_slice(from.power);
         advance(stage, from.state, 0.5 * h, slope);
         stage.t = from.state.t + 0.5 * h;
-        slope.q.copy_from_slice(&stage.v);
+        system.position_rates(&stage.q, &stage.v, &mut slope.q);
         system.place_states(&stage.z);
         system.accelerations(stage.t, &stage.q, &stage.v, &mut slope.v, lambda)?;
         system.state_rates(stage.t, &stage.q, &stage.v, &mut slope.z);

@@ -9,7 +9,7 @@ use super::tolerances::second_run::{ROUNDING, TIGHTER};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::scalar::Scalar;
 
-/// Stages of the method for q' = v, v' = a(t, q, v, z), z' = rates of first-order states, w' = power of each effect.
+/// Stages of the method for q' = N(q) v, v' = a(t, q, v, z), z' = rates of first-order states, w' = power of each effect.
 ///
 /// The steps of one run are summed with compensation: what rounding cuts off a sum is added to the next one. Without
 /// it a body that rolls straight for 1e5 steps is 1e-10 m off, since each step is rounded the same way.
@@ -33,6 +33,7 @@ impl Family for Rk4 {
         chooses_steps: false,
         is_implicit: false,
         needs: Needs::Nothing,
+        takes_any_body: true,
         takes_states: true,
         tighter: TIGHTER,
         rounding: ROUNDING,
@@ -47,8 +48,8 @@ impl Family for Rk4 {
 }
 
 impl<T: Scalar> Rk4<T> {
-    fn new(Sizes { n_q, n_c, n_z, n_works }: Sizes) -> Self {
-        let zero = State::zeros(n_q, n_z, n_works);
+    fn new(Sizes { n_q, n_v, n_c, n_z, n_works }: Sizes) -> Self {
+        let zero = State::zeros([n_q, n_v], n_z, n_works);
         Self {
             stage: zero.clone(),
             slope: zero.clone(),
@@ -70,8 +71,8 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
         t_next: f64,
         to: &mut State<T>,
     ) -> Result<(), MotionError> {
-        let Node { state: from, a, rate, power } = from;
-        self.slope.q.copy_from_slice(&from.v);
+        let Node { state: from, q_rate, a, rate, power } = from;
+        self.slope.q.copy_from_slice(q_rate);
         self.slope.v.copy_from_slice(a);
         let has_states = !rate.is_empty();
         if has_states {
@@ -82,7 +83,7 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
         for (t, c, b) in [(from.t + 0.5 * h, 0.5 * h, 2.0), (from.t + 0.5 * h, 0.5 * h, 2.0), (t_next, h, 1.0)] {
             advance(&mut self.stage, from, c, &self.slope);
             self.stage.t = t;
-            self.slope.q.copy_from_slice(&self.stage.v);
+            system.position_rates(&self.stage.q, &self.stage.v, &mut self.slope.q);
             if has_states {
                 system.place_states(&self.stage.z);
             }

@@ -1,7 +1,10 @@
-//! Where the coordinates of a body stand in q, and which of them are angles: asked here and nowhere else.
+//! Where the coordinates of a planar body stand in q, and which of them are angles: asked here and nowhere else. Bodies of all kinds:
+//! `body_kind.rs`.
 
-/// Every body has x, y and φ, which stand together.
-pub(crate) const N_OF_BODY: usize = 3;
+use super::BodyKind;
+
+/// A planar body has x, y and φ, which stand together.
+pub(crate) const N_OF_BODY: usize = BodyKind::Planar.positions().len();
 
 /// How many bodies have `n_q` coordinates.
 pub(crate) const fn n_bodies(n_q: usize) -> usize {

@@ -41,6 +41,16 @@ pub trait Derived: Equations<f64> {
         let _ = (c, t, q, v, a, lambda, by_q, by_v);
     }
 
+    /// Row and column of each entry of R_z, how the residual of [`JacobianPlaces`] depends on the first-order states z: `(n_q + n_c + n_z) × n_z`.
+    fn state_jacobian_places(&self) -> Vec<(usize, usize)> {
+        Vec::new()
+    }
+
+    /// R_z in the order of [`Derived::state_jacobian_places`], at the states in `c`. At a discontinuity as [`Derived::jacobians`].
+    fn state_jacobians(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let _ = (c, t, q, v, out);
+    }
+
     /// Values of [`SceneInfo::events`](super::SceneInfo::events), which pass zero where the event takes place. Writes `n_s`.
     fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let _ = (c, t, q, v, out);
@@ -97,16 +107,17 @@ pub trait Derived: Equations<f64> {
 /// Row and column of each entry that [`Derived::jacobians`] writes, in its order. Entries at one place add
 /// up.
 ///
-/// The equations of motion as one residual of `n_q + n_c` rows that vanishes along the motion:
+/// The equations of motion as one residual of `n_q + n_c` rows that vanishes along the motion, with `n_z` rows more for the rates r of
+/// first-order states z:
 ///
 /// ```text
-/// R(q, v, a, λ, t) = [F − M a − Gᵀ λ; −(G a + [h; s])]
+/// R(q, v, z, a, λ, z', t) = [F − M a − Gᵀ λ; −(G a + [h; s]); r − z']
 /// ```
 ///
-/// so that `K [δa; δλ] = R_q δq + R_v δv` says how accelerations and multipliers follow changes of the state.
+/// so that `K [δa; δλ] = R_q δq + R_v δv + R_z δz` says how accelerations and multipliers follow changes of the state.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct JacobianPlaces {
-    /// (row, column) of each entry of R_q = ∂R/∂q, `(n_q + n_c) × n_q`.
+    /// (row, column) of each entry of R_q = ∂R/∂q, `(n_q + n_c + n_z) × n_q`.
     pub by_q: Vec<(usize, usize)>,
     /// The same of R_v = ∂R/∂v.
     pub by_v: Vec<(usize, usize)>,

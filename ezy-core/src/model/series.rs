@@ -3,7 +3,7 @@
 //! With coefficients `x_k` of `x(t₀ + s) = Σ x_k s^k`, the equations of motion are at every order k
 //! `[M G₀ᵀ; G₀ 0] [a_k; λ_k] = [f_k; r_k]`: one matrix for all orders, and a right side of lower coefficients. Rows say it
 //! with coefficients of their own: k + 2 of C(q(t), t) for a position constraint, k + 1 of S v + s_t for a velocity constraint. So
-//! q_{k+2} = a_k / ((k + 1)(k + 2)).
+//! q_{k+2} = a_k / ((k + 1)(k + 2)). A first-order state is like a velocity whose acceleration is its rate: z_{k+1} = ż_k / (k + 1).
 //!
 //! Nearly all work is in sums `Σ x_j y_{n−j}`. A scene states them as *products*: two factors each, whose coefficients it
 //! writes to one row an order of [`SeriesStore::left`] and [`SeriesStore::right`]; whoever drives it forms all sums of
@@ -36,8 +36,6 @@ pub enum SeriesInfo {
         /// Name of the function.
         function: &'static str,
     },
-    /// The scene has first-order states, whose series are not derived.
-    FirstOrderStates,
     /// A scene written by hand: nothing was derived.
     Absent,
 }
@@ -53,7 +51,7 @@ pub struct SeriesSize {
     pub n_products: usize,
     /// Numbers that belong to a whole step: values at its start and the factors of K.
     pub n_base: usize,
-    /// Coefficients besides products that a later order reads.
+    /// Coefficients besides products that a later order reads: those of the first-order states, then others.
     pub n_kept: usize,
 }
 
@@ -71,7 +69,7 @@ pub struct SeriesStore<T> {
     pub right: Vec<T>,
     /// Sums of the present order, `n_products`.
     pub sums: Vec<T>,
-    /// `n_kept` an order.
+    /// `n_kept` an order, of which the first `n_z` are the first-order states.
     pub kept: Vec<T>,
     /// `n_base`
     pub base: Vec<T>,
@@ -112,12 +110,12 @@ pub trait Series<T: Scalar>: Send + Sync {
     /// Sizes of the storage.
     fn series_size(&self) -> SeriesSize;
 
-    /// Values at the start of a step, from orders 0 and 1 of q at time `t`: everything of orders 0 and 1, `force` and `row` of
+    /// Values at the start of a step, from orders 0 and 1 of q at time `t` and the first-order states in `c`: everything of orders 0 and 1, `force` and `row` of
     /// order 0, and the factors of K where the scene has an elimination; returns what its pivots are, all vanished
     /// where it has none.
     fn begin(&self, c: &[T], t: T, store: &mut SeriesStore<T>) -> Pivots;
 
-    /// `force` and `row` of order `k` ≥ 1, from the sums for n = k + 2.
+    /// `force` and `row` of order `k` ≥ 1 and order `k + 1` of the first-order states, from the sums for n = k + 2.
     fn right_side(&self, c: &[T], k: usize, store: &mut SeriesStore<T>);
 
     /// Solves for `a` and `lambda` of order `k` with the factors of the step; a scene without elimination writes nothing.

@@ -27,8 +27,7 @@ where
 {
     let info = scene.info();
     let places = data.names().map(|name| {
-        let positions = info.coordinates.iter().map(|c| &*c.name);
-        find_name("coordinate or velocity", name, positions.chain(info.coordinates.iter().map(|c| &*c.velocity_name)))
+        find_name("coordinate or velocity", name, info.coordinates.iter().chain(&*info.velocities).map(|c| &*c.name))
     });
     let places: Vec<usize> = places.collect::<Result<_, _>>()?;
     let mut order: Vec<usize> = (0..data.times().len()).collect();

@@ -26,11 +26,8 @@ impl Column {
 /// `residual.velocity`.
 pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
     let mut all = vec![Column::new("t", "s")];
-    all.extend(info.coordinates.iter().map(|c| Column::new(&*c.name, c.unit)));
-    all.extend(info.coordinates.iter().map(|c| Column::new(&*c.velocity_name, format!("{}/s", c.unit))));
-    all.extend(
-        info.coordinates.iter().map(|c| Column::new(acceleration_name(&c.velocity_name), format!("{}/s^2", c.unit))),
-    );
+    all.extend(info.coordinates.iter().chain(&*info.velocities).map(|c| Column::new(&*c.name, c.unit)));
+    all.extend(info.velocities.iter().map(|v| Column::new(acceleration_name(&v.name), format!("{}^2", v.unit))));
     all.extend(info.rows.iter().map(|r| Column::new(format!("lambda.{}", r.name), r.multiplier_unit)));
     all.extend(info.inputs.iter().map(|i| Column::new(format!("input.{}", i.name), i.unit)));
     all.extend(info.states.iter().map(|z| Column::new(format!("state.{}", z.name), z.unit)));
@@ -63,12 +60,12 @@ pub(crate) fn column_index(info: &SceneInfo, wanted: Wanted, name: &str) -> Resu
     found.map_err(|unknown| UnknownName { remedy: remedy(), ..unknown })
 }
 
-/// `seat.vx` becomes `seat.ax`, `seat.omega` becomes `seat.alpha`.
+/// `seat.vx` becomes `seat.ax`, `seat.omega` becomes `seat.alpha`, `top.omega_x` becomes `top.alpha_x`.
 fn acceleration_name(velocity_name: &str) -> String {
     let (body, component) = velocity_name.rsplit_once('.').unwrap_or(("", velocity_name));
-    match component {
-        "vx" => format!("{body}.ax"),
-        "vy" => format!("{body}.ay"),
-        _ => format!("{body}.alpha"),
+    match (component.strip_prefix("omega"), component.strip_prefix('v')) {
+        (Some(axis), _) => format!("{body}.alpha{axis}"),
+        (None, Some(axis)) => format!("{body}.a{axis}"),
+        (None, None) => format!("{body}.a_{component}"),
     }
 }

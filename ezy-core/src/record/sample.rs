@@ -73,8 +73,6 @@ pub struct EnergyState {
 
 /// Numbers of a sample besides those that the scene counts: time, two energies, two residuals.
 const N_ALWAYS: usize = 5;
-/// Of a coordinate: itself, velocity and acceleration.
-const N_OF_COORDINATE: usize = 3;
 
 impl EnergyState {
     /// Energies without work.
@@ -91,16 +89,17 @@ impl<'r> Sample<'r> {
     /// Numbers in a sample of this scene.
     pub(super) fn n_numbers(info: &SceneInfo, wanted: Wanted) -> usize {
         let works = if wanted.work { info.n_effects() + 2 } else { 0 };
-        let of_motion = N_OF_COORDINATE * info.n_coordinates() + info.n_rows() + info.n_inputs() + info.n_states();
+        let of_motion =
+            info.n_coordinates() + 2 * info.n_velocities() + info.n_rows() + info.n_inputs() + info.n_states();
         N_ALWAYS + of_motion + n_outputs(info, wanted) + works
     }
 
     /// Reads a stored sample.
     pub(super) fn from_numbers(info: &'r SceneInfo, wanted: Wanted, numbers: &'r [f64]) -> Self {
-        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let (n_q, n_v, n_c) = (info.n_coordinates(), info.n_velocities(), info.n_rows());
         let (coordinates, rest) = numbers[1..].split_at(n_q);
-        let (velocities, rest) = rest.split_at(n_q);
-        let (accelerations, rest) = rest.split_at(n_q);
+        let (velocities, rest) = rest.split_at(n_v);
+        let (accelerations, rest) = rest.split_at(n_v);
         let (multipliers, rest) = rest.split_at(n_c);
         let (inputs, rest) = rest.split_at(info.n_inputs());
         let (states, rest) = rest.split_at(info.n_states());

@@ -164,7 +164,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
         if let SampleTimes::Every(every_s) = self.settings.sample_times.of_run(start_s, until_s)? {
             let samples = (until_s - start_s) / every_s;
             let info = self.scene.info();
-            let n_numbers = (3 * info.n_coordinates() + info.n_rows()).max(1) as f64;
+            let n_numbers = (info.n_coordinates() + 2 * info.n_velocities() + info.n_rows()).max(1) as f64;
             // what is streamed is limited as steps are
             let streamed = self.settings.streamed && !self.settings.estimated;
             let limit = if streamed { MAX_STEPS } else { MAX_NUMBERS / n_numbers };

@@ -1,6 +1,7 @@
 //! Errors of a run that cannot start.
 
 use crate::dynamics::{MotionError, StartError, SystemError};
+use crate::integrate::Tolerance;
 use crate::memory::readable;
 use crate::model::{Name, SceneInfo, SeriesInfo};
 use crate::record::{RecordError, UnknownName};
@@ -23,12 +24,28 @@ pub enum SetupError {
         step_s: f64,
     },
     /// The method integrates no first-order states.
-    #[error("scene `{scene}` has first-order states, which {method} does not integrate; use dop853, rk4 or midpoint")]
+    #[error(
+        "scene `{scene}` has first-order states, which {method} does not integrate; use dop853, radau, rk4 or midpoint"
+    )]
     FirstOrderStates {
         /// Name of the scene.
         scene: &'static str,
         /// Name of the method.
         method: &'static str,
+    },
+    /// The method integrates planar bodies alone.
+    #[error("scene `{scene}` has bodies in space, which {method} does not integrate; use dop853, rk4 or midpoint")]
+    SpatialBodies {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Name of the method.
+        method: &'static str,
+    },
+    /// A tolerance of angles was given where not every body has one.
+    #[error("scene `{scene}` has bodies in space, whose attitudes are quaternions; leave out the tolerance of angles")]
+    AnglesInSpace {
+        /// Name of the scene.
+        scene: &'static str,
     },
     /// The tolerances are out of range.
     #[error("the tolerances are {relative:e} relative and {absolute:e} absolute; give positive ones up to {largest}")]
@@ -244,6 +261,15 @@ pub enum SetupError {
 }
 
 impl SetupError {
+    /// Refuses a tolerance of angles in a scene with bodies in space.
+    ///
+    /// # Errors
+    /// [`SetupError::AnglesInSpace`].
+    pub(crate) fn refuse_angles(info: &SceneInfo, tolerance: Option<Tolerance>) -> Result<(), Self> {
+        let has_angle = tolerance.is_some_and(|tolerance| tolerance.angle.is_some());
+        if has_angle && !info.is_planar() { Err(Self::AnglesInSpace { scene: info.name }) } else { Ok(()) }
+    }
+
     /// Refuses a scene that becomes another one while it runs.
     ///
     /// # Errors
@@ -262,7 +288,6 @@ impl SetupError {
 fn why(series: SeriesInfo) -> String {
     match series {
         SeriesInfo::NotAnalytic { function } => format!("a law calls `{function}`, which is not analytic"),
-        SeriesInfo::FirstOrderStates => "its first-order states have none".to_owned(),
         _ => "its equations were written without one".to_owned(),
     }
 }

@@ -544,12 +544,10 @@ fn n_rows(part: u64, n: u64, n_per_part: u64) -> u64 {
 
 /// Unit of what is varied; of a name of the caller's own, none.
 fn unit(info: &SceneInfo, name: &str) -> String {
-    let parameters =
-        info.parameters.iter().chain(info.inputs).chain(info.states).map(|known| (known.name, known.unit.to_owned()));
-    let positions = info.coordinates.iter().map(|c| (&*c.name, c.unit.to_owned()));
-    let velocities = info.coordinates.iter().map(|c| (&*c.velocity_name, format!("{}/s", c.unit)));
-    let mut all = parameters.chain(positions).chain(velocities).chain([("step", "s".to_owned())]);
-    all.find(|(known, _)| *known == name).map_or_else(String::new, |(_, unit)| unit)
+    let parameters = info.parameters.iter().chain(info.inputs).chain(info.states).map(|known| (known.name, known.unit));
+    let starts = info.coordinates.iter().chain(&*info.velocities).map(|c| (&*c.name, c.unit));
+    let mut all = parameters.chain(starts).chain([("step", "s")]);
+    all.find(|(known, _)| *known == name).map_or_else(String::new, |(_, unit)| unit.to_owned())
 }
 
 impl Table {

@@ -36,7 +36,7 @@ pub(super) fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> 
         probe.scene.velocity_jacobian(&probe.fixed, *t, q, &mut entries);
         for d in &directions {
             let difference = slope(n_h, |e, out| {
-                probe.scene.position_constraint(&probe.fixed, *t, &along(q, e, d), out);
+                probe.scene.position_constraint(&probe.fixed, *t, &probe.moved(q, e, d), out);
             });
             let size = max_abs(&entries).max(max_abs(q)).max(difference.size);
             difference.compare(&probe.product(&entries, d), size, &mut worst);
@@ -53,7 +53,7 @@ pub(super) fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     for RandomState { t, q, v } in &probe.states {
         probe.scene.velocity_constraint(&probe.fixed, *t, q, v, &mut rows);
         let difference = slope(n_h, |e, out| {
-            probe.scene.position_constraint(&probe.fixed, t + e, &along(q, e, v), out);
+            probe.scene.position_constraint(&probe.fixed, t + e, &probe.moved(q, e, v), out);
         });
         let size = (max_abs(&rows) * t.max(1.0)).max(max_abs(q)).max(difference.size);
         difference.compare(&rows, size, &mut worst);
@@ -71,7 +71,7 @@ pub(super) fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check 
         probe.scene.convective_term(&probe.fixed, *t, q, v, &mut h);
         probe.scene.velocity_jacobian(&probe.fixed, *t, q, &mut entries);
         let difference = slope(n_c, |e, out| {
-            probe.scene.velocity_constraint(&probe.fixed, t + e, &along(q, e, v), v, out);
+            probe.scene.velocity_constraint(&probe.fixed, t + e, &probe.moved(q, e, v), v, out);
         });
         // what is differentiated is a sum of products of these: its rounding counts even where h is small
         let size = (max_abs(&h) * t.max(1.0)).max(max_abs(&entries) * max_abs(v)).max(difference.size);
@@ -106,8 +106,8 @@ pub(super) fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) ->
 pub(super) fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let info = &probe.info;
     let mut worst = Worst::default();
-    let (rest, mut rows) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
-    let mut F = vec![0.0; info.n_coordinates()];
+    let (rest, mut rows) = (vec![0.0; info.n_velocities()], vec![0.0; info.n_rows()]);
+    let mut F = vec![0.0; info.n_velocities()];
     let mut powers = vec![0.0; info.n_effects()];
     let mut has_potential = false;
     for RandomState { t, q, v } in &probe.states {
@@ -115,7 +115,7 @@ pub(super) fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
         probe.scene.applied_force(&probe.fixed, *t, q, v, &mut F);
         probe.scene.velocity_constraint(&probe.fixed, *t, q, &rest, &mut rows);
         probe.scene.power(&probe.fixed, *t, q, v, &lambda, &mut powers);
-        let potential = |e: f64| probe.scene.potential_energy(&probe.fixed, t + e, &along(q, e, v));
+        let potential = |e: f64| probe.scene.potential_energy(&probe.fixed, t + e, &probe.moved(q, e, v));
         let growth = slope(1, |e, out| out[0] = potential(e));
         has_potential |= growth.slopes[0] != 0.0;
         let terms = F.iter().zip(v).chain(rows.iter().zip(&lambda)).map(|(F, v)| F * v);

@@ -3,7 +3,7 @@
 use super::Check;
 use crate::dynamics::{System, SystemError};
 use crate::linalg::Backend;
-use crate::model::coordinate::is_angle;
+use crate::model::body_kind;
 use crate::model::{Scene, SceneInfo};
 use std::sync::Arc;
 
@@ -39,14 +39,14 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
         let info = scene.info();
         let mut random = SplitMix64(0x9E37_79B9_7F4A_7C15);
         // lengths and speeds of the order of one, angles all around
-        let size = |i| if is_angle(i) { std::f64::consts::PI } else { 2.0 };
+        let size = |i: usize| if info.coordinates[i].is_angle() { std::f64::consts::PI } else { 2.0 };
         let n = info.n_unknowns().max(1) as f64;
         let n_states = ((N_STATES as f64 * (60.0 / n).powi(3)) as usize).clamp(FEWEST_STATES, N_STATES);
         let states = (0..n_states)
             .map(|_| RandomState {
                 t: info.until_s * 0.5 * (1.0 + random.symmetric()),
                 q: (0..info.n_coordinates()).map(|i| size(i) * random.symmetric()).collect(),
-                v: info.coordinates.iter().map(|_| 2.0 * random.symmetric()).collect(),
+                v: info.velocities.iter().map(|_| 2.0 * random.symmetric()).collect(),
             })
             .collect();
         Self { scene, info, fixed: fixed.to_vec(), states }
@@ -62,14 +62,22 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
         Ok(system)
     }
 
-    /// Directions in the space of coordinates: each coordinate alone or, of many, random ones.
+    /// Directions in the space of velocities: each velocity alone or, of many, random ones.
     pub(super) fn directions(&self) -> Vec<Vec<f64>> {
-        let n_q = self.info.n_coordinates();
-        if n_q <= MAX_UNIT_DIRECTIONS {
-            return (0..n_q).map(|i| (0..n_q).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+        let n_v = self.info.n_velocities();
+        if n_v <= MAX_UNIT_DIRECTIONS {
+            return (0..n_v).map(|i| (0..n_v).map(|j| f64::from(u8::from(i == j))).collect()).collect();
         }
         let mut random = SplitMix64(0xD1B5_4A32_D192_ED03);
-        (0..N_DIRECTIONS).map(|_| (0..n_q).map(|_| random.symmetric()).collect()).collect()
+        (0..N_DIRECTIONS).map(|_| (0..n_v).map(|_| random.symmetric()).collect()).collect()
+    }
+
+    /// The coordinates `q` moved by `e v`.
+    pub(super) fn moved(&self, q: &[f64], e: f64, v: &[f64]) -> Vec<f64> {
+        let mut moved = q.to_vec();
+        let by: Vec<f64> = v.iter().map(|v| e * v).collect();
+        body_kind::retract(&self.info.kinds, &mut moved, &by);
+        moved
     }
 
     /// G d from the entries of G.

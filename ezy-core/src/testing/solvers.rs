@@ -26,7 +26,7 @@ const DENSE_WORK: usize = 40_000_000;
 /// The start must determine the motion: rows that depend on each other have to agree.
 pub(super) fn agreement_at_start<P: SceneRef>(system: &mut System<P>, start: &State) -> Check {
     let info = system.info();
-    let (mut a, mut lambda) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
+    let (mut a, mut lambda) = (vec![0.0; info.n_velocities()], vec![0.0; info.n_rows()]);
     let solved = system.accelerations(start.t, &start.q, &start.v, &mut a, &mut lambda);
     let agree = solved.and_then(|solved| system.check_accelerations(start.t, &start.q, solved));
     Check {
@@ -89,7 +89,7 @@ pub(super) fn is_regular<P: SceneRef>(dense: &mut System<P>, state: &RandomState
 
 /// Size of forces and convective terms at a state, at least one.
 fn scale<P: SceneRef>(system: &System<P>, state: &RandomState) -> f64 {
-    let mut F = vec![0.0; system.info().n_coordinates()];
+    let mut F = vec![0.0; system.info().n_velocities()];
     let mut h = vec![0.0; system.info().n_rows()];
     let RandomState { t, q, v } = state;
     system.scene().applied_force(system.fixed(), *t, q, v, &mut F);
@@ -118,17 +118,17 @@ fn check<P: SceneRef>(
 
 /// Accelerations, then multipliers.
 pub(super) fn solve_motion<P: SceneRef>(system: &mut System<P>, state: &RandomState) -> Option<Vec<f64>> {
-    let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
-    let mut x = vec![0.0; n_q + n_c];
-    let (a, lambda) = x.split_at_mut(n_q);
+    let (n_v, n_c) = (system.info().n_velocities(), system.info().n_rows());
+    let mut x = vec![0.0; n_v + n_c];
+    let (a, lambda) = x.split_at_mut(n_v);
     let solved = system.accelerations(state.t, &state.q, &state.v, a, lambda).ok()?;
     (!solved.is_rank_deficient).then_some(x)
 }
 
 /// Correction for the residual that the velocity constraints happen to have.
 fn solve_correction<P: SceneRef>(system: &mut System<P>, state: &RandomState) -> Option<Vec<f64>> {
-    let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
-    let (mut residual, mut delta) = (vec![0.0; n_c], vec![0.0; n_q]);
+    let (n_v, n_c) = (system.info().n_velocities(), system.info().n_rows());
+    let (mut residual, mut delta) = (vec![0.0; n_c], vec![0.0; n_v]);
     system.scene().velocity_constraint(system.fixed(), state.t, &state.q, &state.v, &mut residual);
     let solved = system.correction(state.t, &state.q, &residual, Metric::Mass, &mut delta).ok()?;
     (!solved.is_rank_deficient).then_some(delta)

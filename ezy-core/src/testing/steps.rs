@@ -23,6 +23,7 @@ pub struct GivenSteps<P: SceneRef> {
     /// Where the step that was tried last ends; once it is taken, where it began.
     other: State,
     /// Accelerations and powers at the beginning of that step.
+    q_rate: Vec<f64>,
     a: Vec<f64>,
     rate: Vec<f64>,
     power: Vec<f64>,
@@ -38,7 +39,7 @@ impl<P: SceneRef> GivenSteps<P> {
     /// From `state`, with the works that it holds; none where the scene lacks what the method needs, and where the
     /// state has the first-order states of another scene.
     pub fn new(system: System<P>, state: State, by: StepsBy) -> Option<Self> {
-        let (n_q, n_c, n_works) = (system.info().n_coordinates(), system.info().n_rows(), state.work.len());
+        let (n_v, n_c, n_works) = (system.info().n_velocities(), system.info().n_rows(), state.work.len());
         if state.z.len() != system.info().n_states() {
             return None;
         }
@@ -46,8 +47,19 @@ impl<P: SceneRef> GivenSteps<P> {
             StepsBy::Method(kind) => kind.of_system(&system, n_works, OF_THE_STATE).ok()??,
             StepsBy::Taylor(order) => Box::new(AlongSeries::of_order(&system, n_works, order, OF_THE_STATE)?),
         };
-        let (a, rate, power, lambda) = (vec![0.0; n_q], vec![0.0; state.z.len()], vec![0.0; n_works], vec![0.0; n_c]);
-        Some(Self { system, integrator, other: state.clone(), state, a, rate, power, lambda, taken_s: None })
+        let (a, rate, power, lambda) = (vec![0.0; n_v], vec![0.0; state.z.len()], vec![0.0; n_works], vec![0.0; n_c]);
+        Some(Self {
+            system,
+            integrator,
+            other: state.clone(),
+            q_rate: state.q.clone(),
+            state,
+            a,
+            rate,
+            power,
+            lambda,
+            taken_s: None,
+        })
     }
 
     /// Begins anew at `state`: what rounding cut off and the steps before are forgotten.
@@ -66,19 +78,20 @@ impl<P: SceneRef> GivenSteps<P> {
             self.integrator.accept_given(taken_s);
         }
         self.evaluate()?;
-        let Self { system, integrator, state, other, a, rate, power, .. } = self;
-        let is_solved = integrator.given_step(system, Node { state, a, rate, power }, h, other)?;
+        let Self { system, integrator, state, other, q_rate, a, rate, power, .. } = self;
+        let is_solved = integrator.given_step(system, Node { state, q_rate, a, rate, power }, h, other)?;
         Ok(is_solved.then_some(&*other))
     }
 
     /// Accelerations and powers at the state, and what the method needs for a step from there.
     fn evaluate(&mut self) -> Result<(), MotionError> {
-        let Self { system, integrator, state, a, rate, power, lambda, .. } = self;
+        let Self { system, integrator, state, q_rate, a, rate, power, lambda, .. } = self;
         system.place_states(&state.z);
         match integrator.expand(system, state, a, lambda) {
             Some(solved) => solved?,
             None => system.accelerations(state.t, &state.q, &state.v, a, lambda)?,
         };
+        system.position_rates(&state.q, &state.v, q_rate);
         system.state_rates(state.t, &state.q, &state.v, rate);
         if !power.is_empty() {
             system.power(state.t, &state.q, &state.v, lambda, power);
@@ -104,17 +117,21 @@ impl<P: SceneRef> GivenSteps<P> {
     /// # Errors
     /// [`MotionError`] of a stage.
     pub fn middle(&mut self) -> Result<State, MotionError> {
-        let Self { system, integrator, state, other: from, a, rate, power, lambda, .. } = self;
+        let Self { system, integrator, state, other: from, q_rate, a, rate, power, lambda, .. } = self;
         let mut middle = from.clone();
         let (mut a_end, mut rate_end, mut power_end) = (a.clone(), rate.clone(), power.clone());
+        let mut q_rate_end = q_rate.clone();
         system.place_states(&state.z);
         system.accelerations(state.t, &state.q, &state.v, &mut a_end, lambda)?;
+        system.position_rates(&state.q, &state.v, &mut q_rate_end);
         system.state_rates(state.t, &state.q, &state.v, &mut rate_end);
         if !power.is_empty() {
             system.power(state.t, &state.q, &state.v, lambda, &mut power_end);
         }
-        let (begin, end) =
-            (Node { state: from, a, rate, power }, Node { state, a: &a_end, rate: &rate_end, power: &power_end });
+        let (begin, end) = (
+            Node { state: from, q_rate, a, rate, power },
+            Node { state, q_rate: &q_rate_end, a: &a_end, rate: &rate_end, power: &power_end },
+        );
         let half = from.t + 0.5 * (state.t - from.t);
         integrator.between(system, begin, end, half, &mut middle)?;
         Ok(middle)

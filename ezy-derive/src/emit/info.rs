@@ -6,7 +6,8 @@ use quote::quote;
 use super::abbreviations::Abbreviations;
 use super::equation::Equation;
 use super::equations;
-use crate::mechanics::derived::{NoSeries, Straight};
+use crate::function::Function;
+use crate::mechanics::derived::Straight;
 use crate::mechanics::kernels::{Kernel, Quantity};
 use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Derived, Equations, EventKind, Group, SceneEvent};
@@ -23,7 +24,8 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let documentation = &scene.documentation;
     let fingerprint = model.fingerprint;
     let bodies = model.bodies.iter().map(|body| name_of(&body.name.to_string()));
-    let coordinates = coordinates(equations);
+    let velocities = coordinates(equations.symbols.velocity_names(), "/s");
+    let coordinates = coordinates(equations.symbols.coordinate_names(), "");
     let points: Vec<_> = (equations.points.iter())
         .map(|point| {
             let (name, body) = (name_of(&point.name), option(point.body.map(|body| body.0)));
@@ -69,8 +71,8 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let [acceleration_operations, correction_operations] =
         [Quantity::Accelerations, Quantity::Correction].map(|quantity| operations(count_of(quantity)));
     let series = series(derived.series_cost());
-    let [bodies, coordinates, points, rows, outputs] =
-        [list(bodies), list(coordinates), list(points), list(rows), list(outputs)];
+    let [bodies, coordinates, velocities, points, rows, outputs] =
+        [list(bodies), list(coordinates), list(velocities), list(points), list(rows), list(outputs)];
     quote! {
         ezy::SceneInfo {
             model: #model_name,
@@ -78,7 +80,9 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             documentation: #documentation,
             fingerprint: #fingerprint,
             bodies: #bodies,
+            kinds: ezy::List::Borrowed(&[]),
             coordinates: #coordinates,
+            velocities: #velocities,
             points: #points,
             rows: #rows,
             n_position_rows: #n_position_rows,
@@ -122,17 +126,16 @@ pub fn list<T: quote::ToTokens>(items: impl IntoIterator<Item = T>) -> TokenStre
 }
 
 /// Number of products and operations of one order, or why there is no series.
-pub fn series(cost: Result<(usize, Count), NoSeries>) -> TokenStream {
+pub fn series(cost: Result<(usize, Count), Function>) -> TokenStream {
     match cost {
         Ok((n_products, count)) => {
             let operations = operations(count);
             quote!(ezy::SeriesInfo::Analytic { n_products: #n_products, operations: #operations })
         }
-        Err(NoSeries::Function(function)) => {
+        Err(function) => {
             let function = function.name();
             quote!(ezy::SeriesInfo::NotAnalytic { function: #function })
         }
-        Err(NoSeries::States) => quote!(ezy::SeriesInfo::FirstOrderStates),
     }
 }
 
@@ -152,23 +155,13 @@ pub fn effects(model: &Model, groups: &[Group]) -> Vec<TokenStream> {
         .collect()
 }
 
-fn coordinates(equations: &Equations) -> Vec<TokenStream> {
-    let positions = equations.symbols.coordinate_names();
-    let velocities = equations.symbols.velocity_names();
-    (positions.iter().zip(velocities).enumerate())
-        .map(|(i, (position, velocity))| {
-            let (name, velocity_name) = (name_of(&position.text), name_of(&velocity.text));
-            let unit = Coordinate::at(i).component.unit();
-            let [symbol, velocity_symbol] = [position, velocity].map(|symbol| option(Some(formula(symbol))));
-            quote! {
-                ezy::CoordinateInfo {
-                    name: #name,
-                    velocity_name: #velocity_name,
-                    unit: #unit,
-                    symbol: #symbol,
-                    velocity_symbol: #velocity_symbol,
-                }
-            }
+/// Coordinates, or velocities with their `per_second`.
+fn coordinates(names: &[Printed], per_second: &str) -> Vec<TokenStream> {
+    (names.iter().enumerate())
+        .map(|(i, printed)| {
+            let (name, symbol) = (name_of(&printed.text), option(Some(formula(printed))));
+            let unit = [Coordinate::at(i).component.unit(), per_second].concat();
+            quote!(ezy::CoordinateInfo { name: #name, unit: #unit, symbol: #symbol })
         })
         .collect()
 }

@@ -49,7 +49,11 @@ impl Places<'_> {
                 _ => quote!(T::from_f64(f64::NAN)),
             };
         };
-        let index = self.index(array.of, i);
+        let index = match slot {
+            // of no member
+            Stored::State(..) => quote!(#i),
+            _ => self.index(array.of, i),
+        };
         match (self, array.ahead) {
             (Self::Fixed, _) => {
                 let array = array.ident();
@@ -88,6 +92,7 @@ impl Array {
             Stored::Acceleration(i) => ("a", None, Coordinates, i),
             Stored::Multiplier(i) => ("lambda", Some(0), Rows, i),
             Stored::Kept(ahead, i) => ("kept", Some(ahead), Kept, i),
+            Stored::State(ahead, i) => ("kept", Some(ahead), Kept, i),
             Stored::Coordinate(ahead, i) => ("q", Some(ahead), Coordinates, i),
             Stored::Left(ahead, i) => ("left", Some(ahead), Products, i),
             Stored::Right(ahead, i) => ("right", Some(ahead), Products, i),

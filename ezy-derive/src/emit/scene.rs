@@ -124,7 +124,11 @@ fn methods(model: &Model, derived: &Derived<'_>, vocabulary: Vocabulary<'_>, of:
             Form::Straight(of) => method.straight(&Lengths::new(derived, of)),
             Form::Counted(_) => method.looped(),
         };
-        let places = (signature.quantity == Quantity::Jacobians).then(|| jacobian_places(model, derived));
+        let places = match signature.quantity {
+            Quantity::Jacobians => Some(jacobian_places(model, derived)),
+            Quantity::StateJacobians => Some(state_jacobian_places(model, derived)),
+            _ => None,
+        };
         let method = signature.method(body, matches!(derived.form, Form::Straight(_)));
         quote!(#places #method)
     });
@@ -142,6 +146,22 @@ fn jacobian_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
     };
     quote! {
         fn jacobian_places(&self) -> ::core::option::Option<ezy::JacobianPlaces> {
+            #places
+        }
+    }
+}
+
+/// The method that says where those by first-order states are.
+fn state_jacobian_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
+    let places = match &derived.form {
+        Form::Straight(of) => of.jacobians.as_ref().map(jacobians::places_by_states),
+        Form::Counted(of) => {
+            let items = of.jacobians.as_ref();
+            items.map(|items| jacobians::places_by_states_of_items(model, &of.templates, items))
+        }
+    };
+    quote! {
+        fn state_jacobian_places(&self) -> ::std::vec::Vec<(usize, usize)> {
             #places
         }
     }

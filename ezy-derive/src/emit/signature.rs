@@ -76,7 +76,7 @@ impl Order {
 const OUT: Writes = Writes::Vectors(&["out"]);
 
 /// Every method, in the order in which they are emitted.
-pub const ALL: [Signature; 24] = [
+pub const ALL: [Signature; 25] = [
     any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
     any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
     any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
@@ -96,6 +96,7 @@ pub const ALL: [Signature; 24] = [
     scene(Quantity::PotentialEnergy, "potential_energy", &["t", "q"], Writes::Value),
     scene(Quantity::Start, "start", &[], Writes::Start),
     derived(Quantity::Jacobians, "jacobians", &["t", "q", "v", "a", "lambda"], Writes::Vectors(&["by_q", "by_v"])),
+    derived(Quantity::StateJacobians, "state_jacobians", &["t", "q", "v"], OUT),
     derived(Quantity::Elements, "element_values", &["t", "q", "v"], OUT),
     series(Quantity::SeriesBegin, "begin", &["t"], Order::Start),
     series(Quantity::SeriesRightSide, "right_side", &["k"], Order::Present),

@@ -23,23 +23,14 @@ pub struct Derived<'m> {
     pub scene: Scene,
     pub form: Form<'m>,
     pub kernels: Kernels<'m>,
-    /// Whether there are kernels of the Taylor series.
-    pub series: Result<(), NoSeries>,
+    /// Whether there are kernels of the Taylor series, or the function of a law that has none.
+    pub series: Result<(), Function>,
     /// What kernels read of parameters; each is computed once.
     pub constants: ConstantPool,
     /// What a picture of the scene shows; none of its modes.
     pub elements: Vec<Element<'m>>,
     /// The scenes that a skate with a limit, or a stop, makes of it.
     pub modes: Vec<Derived<'m>>,
-}
-
-/// Why a scene has no Taylor series.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NoSeries {
-    /// A law calls a function that has none.
-    Function(Function),
-    /// The recurrences are those of coordinates alone.
-    States,
 }
 
 /// The equations, and what is derived of all of them together.
@@ -55,7 +46,7 @@ pub struct Straight {
     pub equations: Equations,
     /// Blocks in the order of elimination, with whether the pivot is constant.
     pub elimination: Vec<(Vec<usize>, bool)>,
-    /// `None` when they are too long to write, and with first-order states.
+    /// `None` when they are too long to write.
     pub jacobians: Option<Jacobians>,
 }
 
@@ -87,14 +78,10 @@ impl<'m> Derived<'m> {
         let mut equations = Equations::derive(model, scene);
         let mut constants = ConstantPool::default();
         let solutions = Solutions::derive(&mut equations, &mut constants);
-        let has_states = !equations.rates.is_empty();
-        let series = match has_states {
-            true => Err(NoSeries::States),
-            false => Series::derive(&mut equations, &mut constants).map_err(NoSeries::Function),
-        };
-        let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
+        let series = Series::derive(&mut equations, &mut constants);
+        let Equations { algebra, symbols, constraints, force, rates, .. } = &mut equations;
         let force = force.iter().copied().enumerate();
-        let jacobians = if has_states { None } else { Jacobians::derive(algebra, symbols, Some(constraints), force) };
+        let jacobians = Jacobians::derive(algebra, symbols, Some(constraints), force, rates);
         let mut kernels = programs::straight(&equations, jacobians.as_ref(), &mut constants);
         let series = series.map(|series| kernels.extend(programs::series(vec![series])));
         let elimination = solutions.as_ref().map(|solutions| solutions.order.clone()).unwrap_or_default();
@@ -108,14 +95,10 @@ impl<'m> Derived<'m> {
         let mut templates = Templates::derive(model, scene);
         let mut constants = ConstantPool::default();
         let mut kernels = programs::counted(&templates, &mut constants);
-        let has_states = !templates.rates.is_empty();
-        let series = match has_states {
-            true => Err(NoSeries::States),
-            false => templates.series(&mut constants).map_err(NoSeries::Function),
-        };
-        let jacobians = if has_states { None } else { templates.jacobians() };
+        let series = templates.series(&mut constants);
+        let jacobians = templates.jacobians();
         if let Some(jacobians) = &jacobians {
-            kernels.insert(Quantity::Jacobians, programs::counted_jacobians(&templates, jacobians, &mut constants));
+            kernels.extend(programs::counted_jacobians(&templates, jacobians, &mut constants));
         }
         let series = series.map(|series| kernels.extend(programs::series(series)));
         let Templates { algebra, symbols, .. } = &mut templates;
@@ -129,8 +112,8 @@ impl<'m> Derived<'m> {
     /// Products and operations of one order of the series; in a scene with counts, those of one member of each item.
     ///
     /// # Errors
-    /// Why there is none.
-    pub fn series_cost(&self) -> Result<(usize, Count), NoSeries> {
+    /// A function that has no Taylor series.
+    pub fn series_cost(&self) -> Result<(usize, Count), Function> {
         self.series?;
         let of_order = [Quantity::SeriesRightSide, Quantity::SeriesSolution, Quantity::SeriesFinish];
         let operations = of_order.map(|quantity| self.kernels[&quantity].count()).into_iter().sum();

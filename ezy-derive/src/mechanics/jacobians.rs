@@ -1,6 +1,6 @@
-//! How the equations of motion change with coordinates and velocities.
+//! How the equations of motion change with coordinates, velocities and first-order states.
 //!
-//! Their residual is R = [F − M a − Gᵀ λ; −(G a + [h; s])]; M does not depend on the state.
+//! Their residual is R = [F − M a − Gᵀ λ; −(G a + [h; s]); r − ż] with the rates r of the states; M does not depend on the state.
 
 use std::collections::BTreeMap;
 
@@ -20,9 +20,11 @@ pub struct Jacobians {
     pub reads: Vec<(Symbol, Read)>,
     pub by_q: Vec<JacobianEntry>,
     pub by_v: Vec<JacobianEntry>,
+    /// By the states; these read neither accelerations nor multipliers.
+    pub by_z: Vec<JacobianEntry>,
 }
 
-/// An entry: rows of R are coordinates, then rows of G.
+/// An entry: rows of R are coordinates, then rows of G, then first-order states.
 #[derive(Debug)]
 pub struct JacobianEntry {
     pub row: usize,
@@ -31,12 +33,13 @@ pub struct JacobianEntry {
 }
 
 impl Jacobians {
-    /// Of rows and forces together; `force` by coordinate. `None` when they are too long to write.
+    /// Of rows, forces and rates together; `force` by coordinate, `rates` of states one after the other. `None` when they are too long to write.
     pub fn derive(
         algebra: &mut Algebra,
         symbols: &mut Symbols,
         constraints: Option<&Constraints>,
         force: impl IntoIterator<Item = (usize, SumId)>,
+        rates: &[SumId],
     ) -> Option<Self> {
         let (mut residual, mut reads) = (BTreeMap::new(), Vec::new());
         if let Some(constraints) = constraints {
@@ -46,14 +49,20 @@ impl Jacobians {
             let entry = residual.entry(i).or_insert(SumId::ZERO);
             *entry = algebra.add(*entry, part);
         }
-        let mut jacobians = Self { reads, by_q: Vec::new(), by_v: Vec::new() };
+        let n_rows = constraints.map_or(0, |constraints| constraints.rows.len());
+        let first = symbols.n_coordinates() + n_rows;
+        residual.extend(rates.iter().enumerate().map(|(i, rate)| (first + i, *rate)));
+        let mut jacobians = Self { reads, by_q: Vec::new(), by_v: Vec::new(), by_z: Vec::new() };
         let mut n_terms = 0;
         for (row, sum) in residual {
             for symbol in algebra.symbols_of(sum) {
                 let (entries, column) = match symbols.meaning(symbol) {
                     Meaning::Coordinate(i) => (&mut jacobians.by_q, i),
                     Meaning::Velocity(i) => (&mut jacobians.by_v, i),
-                    _ => continue,
+                    _ => match symbols.state_of(symbol) {
+                        Some(i) => (&mut jacobians.by_z, i),
+                        None => continue,
+                    },
                 };
                 let value = algebra.diff(sum, symbol);
                 let length = algebra.terms(value).len();
@@ -69,14 +78,19 @@ impl Jacobians {
         Some(jacobians)
     }
 
-    /// All values, those by coordinates first.
+    /// Values by coordinates, then by velocities.
     pub fn values(&self) -> Vec<SumId> {
         self.by_q.iter().chain(&self.by_v).map(|entry| entry.value).collect()
     }
 
-    /// Where they go: to the first vector and to the second one.
+    /// Where these go: to the first vector and to the second one.
     pub fn puts(&self) -> Vec<Put> {
         [vec![Put::Next(0); self.by_q.len()], vec![Put::Next(1); self.by_v.len()]].concat()
+    }
+
+    /// Values by first-order states.
+    pub fn values_by_states(&self) -> Vec<SumId> {
+        self.by_z.iter().map(|entry| entry.value).collect()
     }
 }
 

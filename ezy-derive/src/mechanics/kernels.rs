@@ -29,6 +29,8 @@ pub enum Quantity {
     PotentialEnergy,
     Start,
     Jacobians,
+    /// The same by first-order states.
+    StateJacobians,
     /// Points, directions and loads of what a picture shows.
     Elements,
     /// Of the Taylor series: the start of a step, then three kernels an order.
@@ -152,6 +154,8 @@ pub enum Slot {
     Kept(Ahead, usize),
     /// A coefficient of q.
     Coordinate(Ahead, usize),
+    /// A coefficient of z, which stands first among those that are kept.
+    State(Ahead, usize),
     /// f of order k.
     Force(usize),
     /// r of order k.

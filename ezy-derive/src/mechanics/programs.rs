@@ -84,6 +84,9 @@ pub fn straight<'m>(equations: &Equations, jacobians: Option<&Jacobians>, consta
     kernels.insert(Quantity::Start, lower.once(&start, gives.collect(), Vec::new()));
     if let Some(jacobians) = jacobians {
         kernels.insert(Quantity::Jacobians, lower.once(&jacobians.values(), jacobians.puts(), jacobians.reads.clone()));
+        if !jacobians.by_z.is_empty() {
+            kernels.insert(Quantity::StateJacobians, lower.vector(&jacobians.values_by_states()));
+        }
     }
     if let Some(stick_slip) = &equations.stick_slip {
         kernels.insert(Quantity::StickSlip, lower.vector(stick_slip));
@@ -212,13 +215,20 @@ pub fn counted_jacobians<'m>(
     templates: &Templates<'m>,
     jacobians: &[Jacobians],
     constants: &mut ConstantPool,
-) -> Kernel<'m> {
+) -> Kernels<'m> {
     let mut lower = Lower { algebra: &templates.algebra, constants };
     let passes = templates.items().zip(jacobians).map(|(item, jacobians)| {
         let pass = lower.pass(item.loops, item.slots, &jacobians.values(), jacobians.puts());
         Pass { reads: jacobians.reads.clone(), lengths: vec![(Entries::Rows, item.n_rows())], ..pass }
     });
-    Kernel::of(passes.collect())
+    let mut kernels = Kernels::from([(Quantity::Jacobians, Kernel::of(passes.collect()))]);
+    let of_states = templates.items().zip(jacobians).filter(|(_, jacobians)| !jacobians.by_z.is_empty());
+    let of_states: Vec<_> =
+        of_states.map(|(item, of)| lower.stacked(item.loops, item.slots, &of.values_by_states())).collect();
+    if !of_states.is_empty() {
+        kernels.insert(Quantity::StateJacobians, Kernel::of(of_states));
+    }
+    kernels
 }
 
 /// The values of what a picture shows, item by item in a scene with counts.

@@ -14,6 +14,8 @@ pub struct Symbols {
     coordinates: Vec<Printed>,
     velocities: Vec<Printed>,
     inputs: Vec<(InputId, Printed)>,
+    /// How many of them are first-order states, the last ones.
+    n_states: usize,
     /// Parameters, then whole numbers: [`Model::whole`].
     parameters: Vec<Printed>,
     lets: Vec<Let>,
@@ -56,8 +58,9 @@ impl Symbols {
         let parameters = model.parameters.iter().map(|p| &p.name).chain(counts).map(ToString::to_string);
         let parameters = parameters.chain(model.indices.iter().cloned()).map(|name| spelling::name(&name));
         let parameters = parameters.chain(model.quotients.iter().map(|of| quotient(model, of))).collect();
+        let n_states = inputs.iter().filter(|id| model.inputs[id.0].rate.is_some()).count();
         let inputs = inputs.iter().map(|&id| (id, spelling::name(&model.inputs[id.0].name.to_string()))).collect();
-        Self { coordinates, velocities, inputs, parameters, lets: Vec::new(), named: Vec::new() }
+        Self { coordinates, velocities, inputs, n_states, parameters, lets: Vec::new(), named: Vec::new() }
     }
 
     pub fn name_lets(&mut self, lets: Vec<Let>) {
@@ -101,6 +104,17 @@ impl Symbols {
 
     pub fn n_inputs(&self) -> usize {
         self.inputs.len()
+    }
+
+    /// The first-order states in their order.
+    pub fn states(&self) -> impl Iterator<Item = Symbol> + use<> {
+        let first = 1 + 2 * self.n_coordinates() + self.n_inputs() - self.n_states;
+        (first..first + self.n_states).map(symbol)
+    }
+
+    /// The place in z of the first-order state that a symbol stands for.
+    pub fn state_of(&self, symbol: Symbol) -> Option<usize> {
+        self.states().position(|state| state == symbol)
     }
 
     /// The place in q of the coordinate that a symbol stands for.

@@ -5,7 +5,6 @@ use super::event::SceneEvent;
 use super::expression::Writer;
 use super::forces::Load;
 use super::jacobians::Jacobians;
-use super::kernels::Pass;
 use super::kinematics::Vector;
 use super::rows;
 use super::scene::{Group, called, drives, rates};
@@ -175,62 +174,84 @@ impl<'m> RowTemplate<'m> {
     }
 }
 
-/// A row or a force of a scene with counts, as series and Jacobians see it.
+/// A row, a force or a rate of a scene with counts, as series and Jacobians see it.
 pub struct Item<'t, 'm> {
     pub loops: &'m [Loop],
     pub slots: &'t [BodyId],
     pub constraints: Option<&'t Constraints>,
     /// What it adds to F, by coordinate.
     pub force: &'t [(usize, SumId)],
+    /// Of a first-order state.
+    pub rate: &'t [SumId],
 }
 
 impl Item<'_, '_> {
+    /// Rows of the residual besides those of forces.
     pub fn n_rows(&self) -> usize {
-        self.constraints.map_or(0, |constraints| constraints.rows.len())
+        self.constraints.map_or(0, |constraints| constraints.rows.len()) + self.rate.len()
     }
 }
 
-/// Rows, then forces.
-fn items<'t, 'm>(rows: &'t [RowTemplate<'m>], forces: &'t [ForceTemplate<'m>]) -> impl Iterator<Item = Item<'t, 'm>> {
+/// Rows, then forces, then rates.
+fn items<'t, 'm>(
+    rows: &'t [RowTemplate<'m>],
+    forces: &'t [ForceTemplate<'m>],
+    rates: &'t [(SumId, Vec<BodyId>)],
+) -> impl Iterator<Item = Item<'t, 'm>> {
     let rows = rows.iter().map(|of| {
         let (loops, constraints) = (&of.row.loops[..], Some(&of.constraints));
-        Item { loops, slots: &of.slots, constraints, force: &[] }
+        Item { loops, slots: &of.slots, constraints, force: &[], rate: &[] }
     });
     let forces = forces.iter().map(|of| {
         let (loops, force) = (&of.force.loops[..], &of.entries[..]);
-        Item { loops, slots: &of.slots, constraints: None, force }
+        Item { loops, slots: &of.slots, constraints: None, force, rate: &[] }
     });
-    rows.chain(forces)
+    let rates = rates.iter().map(|(rate, slots)| Item {
+        loops: &[],
+        slots,
+        constraints: None,
+        force: &[],
+        rate: std::slice::from_ref(rate),
+    });
+    rows.chain(forces).chain(rates)
 }
 
 impl<'m> Templates<'m> {
     pub fn items(&self) -> impl Iterator<Item = Item<'_, 'm>> {
-        items(&self.rows, &self.forces)
+        items(&self.rows, &self.forces, &self.rates)
     }
 
-    /// The series of each item.
+    /// The series of the first-order states, then of each item.
     ///
     /// # Errors
     /// A function that has no Taylor series.
     pub fn series(&mut self, constants: &mut ConstantPool) -> Result<Vec<Series<'m>>, Function> {
-        let Self { algebra, symbols, rows, forces, .. } = self;
+        let Self { algebra, symbols, rows, forces, rates, .. } = self;
         let mut extended = constants.clone();
+        let mut series = Vec::new();
+        if !rates.is_empty() {
+            let mut slots: Vec<BodyId> = rates.iter().flat_map(|(_, slots)| slots).copied().collect();
+            slots.sort_unstable();
+            slots.dedup();
+            let rates: Vec<SumId> = rates.iter().map(|&(rate, _)| rate).collect();
+            let of_states = Series::of_item(algebra, symbols, &mut extended, None, &[], &rates)?;
+            series.push(of_states.of_members(&[], &slots));
+        }
         let of_item = |item: Item<'_, 'm>| {
-            let series = Series::of_item(algebra, symbols, &mut extended, item.constraints, item.force)?;
-            let of_members = |pass| Pass { loops: item.loops, slots: item.slots.to_vec(), ..pass };
-            let [begin, right_side, finish] = [series.begin, series.right_side, series.finish].map(of_members);
-            Ok(Series { begin, right_side, finish, ..series })
+            let series = Series::of_item(algebra, symbols, &mut extended, item.constraints, item.force, &[])?;
+            Ok(series.of_members(item.loops, item.slots))
         };
-        let series = items(rows, forces).map(of_item).collect::<Result<_, _>>()?;
+        series.extend(items(rows, forces, &[]).map(of_item).collect::<Result<Vec<_>, _>>()?);
         *constants = extended;
         Ok(series)
     }
 
     /// The Jacobians of each item; `None` when some are too long to write.
     pub fn jacobians(&mut self) -> Option<Vec<Jacobians>> {
-        let Self { algebra, symbols, rows, forces, .. } = self;
-        let of_item = |item: Item| Jacobians::derive(algebra, symbols, item.constraints, item.force.iter().copied());
-        items(rows, forces).map(of_item).collect()
+        let Self { algebra, symbols, rows, forces, rates, .. } = self;
+        let of_item =
+            |item: Item| Jacobians::derive(algebra, symbols, item.constraints, item.force.iter().copied(), item.rate);
+        items(rows, forces, rates).map(of_item).collect()
     }
 }
 

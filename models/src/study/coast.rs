@@ -39,7 +39,7 @@ impl Coasting {
         let scene = Coast::default();
         let motion = Motion::new(&scene, STEP_S, scene.info().until_s, EVERY_S, interrupt)?;
         let (first, last) = (motion.run.first(), motion.run.last());
-        let names = first.info.coordinates.iter().map(|c| c.velocity_name.clone());
+        let names = first.info.velocities.iter().map(|c| c.name.clone());
         let found = Self {
             start: names.zip(first.velocities.iter().copied()).collect(),
             end_heading: last.get("seat.phi")?,

@@ -180,7 +180,7 @@ fn cross_scenes_of_the_garage_end_in_lanes_where_they_end_alone() {
         if info.parameters.is_empty() || info.n_coordinates() > 60 {
             continue;
         }
-        let names = || info.coordinates.iter().flat_map(|c| [c.name.to_string(), c.velocity_name.to_string()]);
+        let names = || info.coordinates.iter().chain(&*info.velocities).map(|c| c.name.to_string());
         let scene = (entry.new)();
         let plan = || Plan::new().grid("lengthened", [1.0, 1.001, 1.002]);
         let run = |case: &Case<'_>| {

@@ -164,7 +164,7 @@ impl Case {
         let changed = change(&mut *scene, &mut draw, false);
         let info = scene.info();
         let mut given = Vec::new();
-        for name in info.coordinates.iter().flat_map(|c| [&c.name, &c.velocity_name]) {
+        for name in info.coordinates.iter().zip(&*info.velocities).flat_map(|(c, v)| [&c.name, &v.name]) {
             if draw.once_in(12) {
                 given.push((name.clone(), draw.instead_of(1.0, false)));
             }
@@ -226,7 +226,7 @@ impl Case {
     /// What comes of a start that is moved: `by` says what is added to a number of this size.
     fn moved(&self, scene: &dyn Scene, start: &[f64], mut by: impl FnMut(usize) -> f64) -> Option<Motion> {
         let info = scene.info();
-        let names = info.coordinates.iter().map(|c| &*c.name).chain(info.coordinates.iter().map(|c| &*c.velocity_name));
+        let names = info.coordinates.iter().chain(&*info.velocities).map(|c| &*c.name);
         let start = names.zip(start).enumerate();
         let order = start.fold(self.order(scene, Method::dop853(REFERENCE)), |order, (i, (name, value))| {
             order.start(name, value + MOVED * by(i))
@@ -245,7 +245,7 @@ impl Case {
             t: 0.0,
             q: start[..n_q].to_vec(),
             v: start[n_q..2 * n_q].to_vec(),
-            z: Vec::new(),
+            z: scene.info().states.iter().map(|state| state.default).collect(),
             work: Vec::new(),
         };
         let mut precise = PreciseMotion::new(scene, &start).ok()?;

@@ -125,8 +125,9 @@ pub(super) fn change(scene: &mut dyn Scene, draw: &mut Draw, wild: bool) -> Vec<
 /// Some start values and inputs.
 fn order(scene: &dyn Scene, draw: &mut Draw, wild: bool) -> Order {
     let mut order = Order::new(draw, wild);
-    for coordinate in scene.info().coordinates.iter() {
-        for name in [&coordinate.name, &coordinate.velocity_name] {
+    let info = scene.info();
+    for (coordinate, velocity) in info.coordinates.iter().zip(&*info.velocities) {
+        for name in [&coordinate.name, &velocity.name] {
             if draw.once_in(12) {
                 order.given.push((name.to_string(), draw.instead_of(1.0, wild)));
             }
@@ -150,11 +151,12 @@ fn set_inputs(system: &mut System<&(dyn Scene + '_)>, order: &Order) {
 /// The start of the scene with what is given.
 fn start(system: &System<&(dyn Scene + '_)>, order: &Order) -> ezy_core::model::Start {
     let mut start = system.scene_start();
-    for (i, coordinate) in system.info().coordinates.iter().enumerate() {
+    let info = system.info();
+    for (i, (coordinate, velocity)) in info.coordinates.iter().zip(&*info.velocities).enumerate() {
         for (name, value) in &order.given {
             if *name == coordinate.name {
                 start.give_position(i, *value);
-            } else if *name == coordinate.velocity_name {
+            } else if *name == velocity.name {
                 start.give_velocity(i, *value);
             }
         }

@@ -19,13 +19,22 @@ const fn of_pump(parameter: ParameterInfo) -> ParameterInfo {
     ParameterInfo { effect: Some("pump"), ..parameter }
 }
 
+static VELOCITIES: [CoordinateInfo; 6] = [
+    coordinate("seat.vx", "m/s"),
+    coordinate("seat.vy", "m/s"),
+    coordinate("seat.omega", "rad/s"),
+    coordinate("bar.vx", "m/s"),
+    coordinate("bar.vy", "m/s"),
+    coordinate("bar.omega", "rad/s"),
+];
+
 static COORDINATES: [CoordinateInfo; 6] = [
-    coordinate("seat.x", "seat.vx", "m"),
-    coordinate("seat.y", "seat.vy", "m"),
-    coordinate("seat.phi", "seat.omega", "rad"),
-    coordinate("bar.x", "bar.vx", "m"),
-    coordinate("bar.y", "bar.vy", "m"),
-    coordinate("bar.phi", "bar.omega", "rad"),
+    coordinate("seat.x", "m"),
+    coordinate("seat.y", "m"),
+    coordinate("seat.phi", "rad"),
+    coordinate("bar.x", "m"),
+    coordinate("bar.y", "m"),
+    coordinate("bar.phi", "rad"),
 ];
 
 static ROWS: [RowInfo; 4] = [
@@ -111,6 +120,7 @@ fn scene(
         name,
         bodies: List::Borrowed(&[Name::Borrowed("seat"), Name::Borrowed("bar")]),
         coordinates: List::Borrowed(&COORDINATES),
+        velocities: List::Borrowed(&VELOCITIES),
         points: List::Borrowed(&POINTS),
         rows: List::Borrowed(&ROWS),
         n_position_rows: 2,

@@ -26,7 +26,8 @@ fn on_the_way(scene: &dyn Scene) -> State {
     let until_s = 0.3 * scene.info().until_s.min(2.0);
     let run = Simulation::new(scene).method(Method::dop853(1e-10)).until(until_s).run().unwrap();
     let last = run.last();
-    State { t: last.t, q: last.coordinates.to_vec(), v: last.velocities.to_vec(), z: Vec::new(), work: Vec::new() }
+    let [q, v, z] = [last.coordinates, last.velocities, last.states].map(<[f64]>::to_vec);
+    State { t: last.t, q, v, z, work: Vec::new() }
 }
 
 /// Order of one step from a state over the lengths that show one; none where a method leaves no error.
@@ -38,7 +39,7 @@ fn order(scene: &dyn Scene, state: &State, by: StepsBy) -> Option<f64> {
     // where the terms of the series are as large as the state
     let radius = oracle.radius().unwrap().expect("the oracle is a series");
     let longest = (LONGEST * radius).min(1.0);
-    let size = state.q.iter().chain(&state.v).fold(1.0, |m: f64, x| m.max(x.abs()));
+    let size = state.q.iter().chain(&state.v).chain(&state.z).fold(1.0, |m: f64, x| m.max(x.abs()));
     let mut errors = Vec::new();
     for i in 0..N_STEPS {
         let h = longest / RATIO.powi(i);
@@ -46,7 +47,7 @@ fn order(scene: &dyn Scene, state: &State, by: StepsBy) -> Option<f64> {
         let exact = oracle.attempt(h).unwrap().expect("a series does not iterate");
         // where the iteration does not converge there is no error to be seen
         let Some(end) = steps.attempt(h).unwrap() else { continue };
-        let error = distance(&exact.q, &end.q).max(distance(&exact.v, &end.v)) / size;
+        let error = distance(&exact.q, &end.q).max(distance(&exact.v, &end.v)).max(distance(&exact.z, &end.z)) / size;
         if error < ROUNDING {
             break;
         }

@@ -57,6 +57,7 @@ mod setup;
 mod singular_starts;
 mod singularity_crossing;
 mod singularity_crossing_cases;
+mod space;
 mod start;
 mod starts_assembly;
 mod starts_projected;

@@ -79,9 +79,9 @@ fn invariant_coast_under_reversal_of_time() {
     for Case { route, scene } in coast() {
         let there = Simulation::new(&*scene).method(Method::rk4(STEP)).run().unwrap();
         let mut back = Simulation::new(&*scene).method(Method::rk4(STEP));
-        for (i, c) in scene.info().coordinates.iter().enumerate() {
-            back =
-                back.start(&*c.name, there.last().coordinates[i]).start(&*c.velocity_name, -there.last().velocities[i]);
+        let info = scene.info();
+        for (i, (c, v)) in info.coordinates.iter().zip(&*info.velocities).enumerate() {
+            back = back.start(&*c.name, there.last().coordinates[i]).start(&*v.name, -there.last().velocities[i]);
         }
         let back = back.run().unwrap();
         let error = distance(there.first().coordinates, back.last().coordinates);

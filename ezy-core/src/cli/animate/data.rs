@@ -74,7 +74,8 @@ impl<'r> Animation<'r> {
             let digits = if is_angle(place) { 4 } else { digits };
             self.frames.iter().map(|frame| round(frame.q[place], digits)).collect()
         };
-        let poses: Vec<Value> = (0..info.bodies.len()).map(|i| json!([pose(i, 0), pose(i, 1), pose(i, 2)])).collect();
+        let poses: Vec<Value> =
+            (0..info.drawn_bodies().len()).map(|i| json!([pose(i, 0), pose(i, 1), pose(i, 2)])).collect();
         let mut anchors: Vec<Anchor> =
             self.drawing.anchors().chain(self.arrows.iter().filter_map(|arrow| arrow.at)).collect();
         anchors.sort_unstable();
@@ -111,7 +112,7 @@ impl<'r> Animation<'r> {
         json!({
             "t": self.run.samples().map(|sample| sample.t).collect::<Vec<_>>(),
             "scale": scale,
-            "bodies": info.bodies,
+            "bodies": info.drawn_bodies(),
             "poses": poses,
             "anchors": anchors.iter().map(anchor).collect::<Vec<_>>(),
             "parts": parts,

@@ -86,7 +86,7 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     if info.repeats.is_some() {
         return tables;
     }
-    let coordinates = info.coordinates.iter().map(|c| [&*c.name, c.unit, &c.velocity_name, "", ""]);
+    let coordinates = info.coordinates.iter().zip(&*info.velocities).map(|(c, v)| [&*c.name, c.unit, &*v.name, "", ""]);
     put(["coordinate", "unit", "velocity", "", ""], coordinates.collect());
     let rows = info.rows.iter().enumerate().map(|(i, row)| {
         let level = if i < info.n_position_rows { "position" } else { "velocity" };

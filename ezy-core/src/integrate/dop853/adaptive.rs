@@ -46,6 +46,7 @@ impl Family for Adaptive {
         chooses_steps: true,
         is_implicit: false,
         needs: Needs::Nothing,
+        takes_any_body: true,
         takes_states: true,
         tighter: TIGHTER,
         rounding: ROUNDING,
@@ -230,7 +231,7 @@ mod tests {
     use crate::integrate::discontinuities::{Cut, Smooth};
 
     /// One number that moves freely.
-    const ONE: Sizes = Sizes { n_q: 1, n_c: 0, n_z: 0, n_works: 0 };
+    const ONE: Sizes = Sizes { n_q: 1, n_v: 1, n_c: 0, n_z: 0, n_works: 0 };
 
     /// Every step passes this.
     struct Passes(Passage);
@@ -269,6 +270,10 @@ mod tests {
             if q[0] <= 1.0 { Ok(()) } else { Err(MotionError::NotFinite { t, quantity: "a force".into() }) }
         }
 
+        fn position_rates(&self, _: &[f64], v: &[f64], out: &mut [f64]) {
+            out.copy_from_slice(v);
+        }
+
         fn place_states(&mut self, _: &[f64]) {}
 
         fn state_rates(&self, _: f64, _: &[f64], _: &[f64], _: &mut [f64]) {}
@@ -292,6 +297,10 @@ mod tests {
             Ok(())
         }
 
+        fn position_rates(&self, _: &[f64], v: &[f64], out: &mut [f64]) {
+            out.copy_from_slice(v);
+        }
+
         fn place_states(&mut self, _: &[f64]) {}
 
         fn state_rates(&self, _: f64, _: &[f64], _: &[f64], _: &mut [f64]) {}
@@ -309,7 +318,7 @@ mod tests {
             let [smooth, layer] = [Passage::Smooth, Passage::Layer].map(|passage| {
                 let mut adaptive = Adaptive::new(ONE, Tolerance::new(1e-9, 1e-9));
                 adaptive.step_s = Some(step_s);
-                let from = Node { state: &start, a: &[0.0], rate: &[], power: &[] };
+                let from = Node { state: &start, q_rate: &start.v, a: &[0.0], rate: &[], power: &[] };
                 adaptive.step(&mut Rough(size), from, 10.0, 10.0, &mut Passes(passage), &mut start.clone()).unwrap();
                 adaptive.rejected > 0
             });
@@ -327,7 +336,7 @@ mod tests {
         let step = |start: &State, to: &mut State| {
             let mut adaptive = Adaptive::new(ONE, Tolerance::new(1e-9, 1e-9));
             adaptive.step_s = Some(4.0);
-            let from = Node { state: start, a: &[0.0], rate: &[], power: &[] };
+            let from = Node { state: start, q_rate: &start.v, a: &[0.0], rate: &[], power: &[] };
             let outcome = adaptive.step(&mut UpToAWall, from, 10.0, 10.0, &mut Smooth, to);
             (outcome, adaptive.rejected)
         };

@@ -29,7 +29,7 @@ impl<T: Scalar> Dop853<T> {
         let (n, length) = (self.n, to.state.t - from.state.t);
         let h = T::from_f64(length);
         self.begin(from);
-        read(self.slopes[N_STAGES * n..][..n].as_flattened_mut(), [&to.state.v, to.a, to.rate, to.power]);
+        read(self.slopes[N_STAGES * n..][..n].as_flattened_mut(), [to.q_rate, to.a, to.rate, to.power]);
         for stage in N_STAGES + 1..N_STAGES_OF_DENSE_OUTPUT {
             self.evaluate(system, from.state.t, length, stage)?;
         }

@@ -28,7 +28,7 @@ pub(crate) const ERROR_ORDER: i32 = 8;
 /// steps would not end.
 const ROUNDING: f64 = 1e-11;
 
-/// Stages of the method for q' = v, v' = a(t, q, v, z), z' = rates of first-order states, w' = power of each effect, as one vector
+/// Stages of the method for q' = N(q) v, v' = a(t, q, v, z), z' = rates of first-order states, w' = power of each effect, as one vector
 /// y = (q, v, z, w).
 ///
 /// Works are integrated beside the motion and do not choose its steps. What rounding cuts off a sum is added to the next
@@ -40,6 +40,7 @@ const ROUNDING: f64 = 1e-11;
 #[derive(Debug)]
 pub(crate) struct Dop853<T = f64> {
     n_q: usize,
+    n_v: usize,
     n_z: usize,
     n_works: usize,
     /// Length of y in blocks.
@@ -62,11 +63,12 @@ impl<T: Scalar> Dop853<T> {
     const STAGES: [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] = stages();
 
     /// Storage for a scene with these sizes.
-    pub(crate) fn new(Sizes { n_q, n_c, n_z, n_works }: Sizes) -> Self {
-        let n = (2 * n_q + n_z + n_works).div_ceil(WIDTH);
+    pub(crate) fn new(Sizes { n_q, n_v, n_c, n_z, n_works }: Sizes) -> Self {
+        let n = (n_q + n_v + n_z + n_works).div_ceil(WIDTH);
         let zero = |n: usize| vec![[T::from_f64(0.0); WIDTH]; n];
         Self {
             n_q,
+            n_v,
             n_z,
             n_works,
             n,
@@ -83,7 +85,7 @@ impl<T: Scalar> Dop853<T> {
 
     /// Storage for other steps of the same scene.
     pub(crate) fn another(&self) -> Self {
-        Self::new(Sizes { n_q: self.n_q, n_c: self.lambda.len(), n_z: self.n_z, n_works: self.n_works })
+        Self::new(Sizes { n_q: self.n_q, n_v: self.n_v, n_c: self.lambda.len(), n_z: self.n_z, n_works: self.n_works })
     }
 
     /// Forgets the rounding errors of the sums, before another run.
@@ -176,13 +178,13 @@ impl<T: Scalar> Dop853<T> {
 
     /// Numbers of y whose errors choose the steps: all but works.
     fn n_controlled(&self) -> usize {
-        2 * self.n_q + self.n_z
+        self.n_q + self.n_v + self.n_z
     }
 
     fn begin(&mut self, from: Node<'_, T>) {
-        let Node { state, a, rate, power } = from;
+        let Node { state, q_rate, a, rate, power } = from;
         read(self.start.as_flattened_mut(), [&state.q, &state.v, &state.z, &state.work]);
-        read(self.slopes[..self.n].as_flattened_mut(), [&state.v, a, rate, power]);
+        read(self.slopes[..self.n].as_flattened_mut(), [q_rate, a, rate, power]);
     }
 
     /// `stage = start + h · sum`
@@ -208,16 +210,16 @@ impl<T: Scalar> Dop853<T> {
     }
 
     fn slope_at_stage(&mut self, system: &mut impl Dynamics<T>, t: f64, stage: usize) -> Result<(), MotionError> {
-        let n_q = self.n_q;
+        let (n_q, n_v) = (self.n_q, self.n_v);
         let (q, rest) = self.stage.as_flattened().split_at(n_q);
-        let (v, rest) = rest.split_at(n_q);
+        let (v, rest) = rest.split_at(n_v);
         system.place_states(&rest[..self.n_z]);
         let slope = self.slopes[stage * self.n..][..self.n].as_flattened_mut();
-        let (velocities, rest) = slope.split_at_mut(n_q);
-        let (accelerations, rest) = rest.split_at_mut(n_q);
+        let (position_rates, rest) = slope.split_at_mut(n_q);
+        let (accelerations, rest) = rest.split_at_mut(n_v);
         let (rates, rest) = rest.split_at_mut(self.n_z);
         let powers = &mut rest[..self.n_works];
-        velocities.copy_from_slice(v);
+        system.position_rates(q, v, position_rates);
         system.accelerations(t, q, v, accelerations, &mut self.lambda)?;
         system.state_rates(t, q, v, rates);
         system.power(t, q, v, &self.lambda, powers);
@@ -238,6 +240,10 @@ impl<T: Scalar> Dop853<T> {
         tolerance: Tolerance,
         to: &State<T>,
     ) -> Option<f64> {
+        // errors of positions are displacements where these have the axes of the velocities
+        if self.n_q != self.n_v {
+            return None;
+        }
         // first-order states are in no row
         for errors in &mut self.errors {
             let (positions, rest) = errors.as_flattened_mut().split_at_mut(self.n_q);

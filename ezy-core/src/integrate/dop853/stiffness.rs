@@ -79,7 +79,7 @@ impl<T: Scalar> Dop853<T> {
             squares.fold(T::from_f64(0.0), |sum, square| sum + square).sqrt().magnitude()
         };
         let state = difference(self.stage.as_flattened(), [&to.state.q, &to.state.v, &to.state.z]);
-        let slope = difference(self.slopes[last * self.n..].as_flattened(), [&to.state.v, to.a, to.rate]);
+        let slope = difference(self.slopes[last * self.n..].as_flattened(), [to.q_rate, to.a, to.rate]);
         if state > 0.0 { h * slope / state } else { 0.0 }
     }
 }

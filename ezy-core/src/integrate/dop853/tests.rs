@@ -14,6 +14,10 @@ impl Dynamics<f64> for Swing {
         Ok(())
     }
 
+    fn position_rates(&self, _: &[f64], v: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(v);
+    }
+
     fn place_states(&mut self, _: &[f64]) {}
 
     fn state_rates(&self, _: f64, _: &[f64], _: &[f64], _: &mut [f64]) {}
@@ -59,7 +63,7 @@ fn blocks(x: [f64; 5]) -> Vec<Block<f64>> {
 /// work does not count.
 #[test]
 fn analytic_error_is_that_of_orders_five_and_three() {
-    let mut method = Dop853::<f64>::new(Sizes { n_q: 2, n_c: 0, n_z: 0, n_works: 1 });
+    let mut method = Dop853::<f64>::new(Sizes { n_q: 2, n_v: 2, n_c: 0, n_z: 0, n_works: 1 });
     method.start = blocks([1.0, 0.0, -2.0, 0.0, 0.0]);
     method.stage = blocks([-3.0, 0.0, 1.0, 0.0, 0.0]);
     let (q, v) = (0.01 + 0.003, 0.01 + 0.002);
@@ -78,7 +82,7 @@ fn analytic_error_is_that_of_orders_five_and_three() {
 /// Below a tolerance of 1e-11 sixth differences are rounding, and do not count.
 #[test]
 fn analytic_sixth_differences_count_above_rounding() {
-    let mut method = Dop853::<f64>::new(Sizes { n_q: 1, n_c: 0, n_z: 0, n_works: 0 });
+    let mut method = Dop853::<f64>::new(Sizes { n_q: 1, n_v: 1, n_c: 0, n_z: 0, n_works: 0 });
     (method.start, method.stage) = (vec![[1.0, -2.0, 0.0, 0.0]], vec![[-3.0, 1.0, 0.0, 0.0]]);
     method.errors = [0.1, 2.0, 0.5].map(|x| vec![[3.0 * x, 2.0 * x, 0.0, 0.0]]);
     for (relative, larger) in [(0.9e-11, 0.1_f64), (1.1e-11, 0.5)] {
@@ -93,7 +97,7 @@ fn analytic_sixth_differences_count_above_rounding() {
 /// Errors that a projection at the end removes do not count.
 #[test]
 fn analytic_tangential_error_leaves_out_what_projection_removes() {
-    let mut method = Dop853::<f64>::new(Sizes { n_q: 2, n_c: 0, n_z: 0, n_works: 1 });
+    let mut method = Dop853::<f64>::new(Sizes { n_q: 2, n_v: 2, n_c: 0, n_z: 0, n_works: 1 });
     let errors = |first: f64| [0.1, 0.2, 0.3].map(|x| blocks([first * x, x, first * x, 2.0 * x, 0.0]));
     method.errors = errors(0.0);
     let expected = method.weighted_error(0.5, TOLERANCE);
@@ -111,8 +115,8 @@ fn analytic_first_step_is_that_of_the_slope_and_its_change() {
     let first = |q: f64, v: f64, longest: f64, swing: &mut Swing| {
         let from = state(q, v);
         let a = [-swing.w * swing.w * q - swing.c * v, 0.0];
-        let node = Node { state: &from, a: &a, rate: &[], power: &[0.0] };
-        Dop853::<f64>::new(Sizes { n_q: 2, n_c: 0, n_z: 0, n_works: 1 })
+        let node = Node { state: &from, q_rate: &from.v, a: &a, rate: &[], power: &[0.0] };
+        Dop853::<f64>::new(Sizes { n_q: 2, n_v: 2, n_c: 0, n_z: 0, n_works: 1 })
             .first_step(swing, node, longest, TOLERANCE)
             .unwrap()
     };
@@ -143,31 +147,41 @@ fn analytic_stability_is_the_step_times_the_largest_eigenvalue() {
         [(Swing { w: 1.0, c: 0.0 }, 0.1, 0.1, 1e-9), (Swing { w: 0.0, c: 50.0 }, 0.1, 5.0, 1e-3)]
     {
         let mut swing = swing;
-        let mut method = Dop853::<f64>::new(Sizes { n_q: 2, n_c: 0, n_z: 0, n_works: 1 });
+        let mut method = Dop853::<f64>::new(Sizes { n_q: 2, n_v: 2, n_c: 0, n_z: 0, n_works: 1 });
         let (from, mut to) = (state(1.0, 0.7), state(0.0, 0.0));
         let mut a = [0.0; 2];
         swing.accelerations(0.5, &from.q, &from.v, &mut a, &mut []).unwrap();
         method
-            .attempt(&mut swing, Node { state: &from, a: &a, rate: &[], power: &[2.1] }, h, TOLERANCE, &mut to)
+            .attempt(
+                &mut swing,
+                Node { state: &from, q_rate: &from.v, a: &a, rate: &[], power: &[2.1] },
+                h,
+                TOLERANCE,
+                &mut to,
+            )
             .unwrap();
         method.accept();
         assert!((to.t - 0.5 - h).abs() <= 1e-16);
         // 3 x' works as much as x goes
         close(to.work[0], 3.0 * (to.q[0] - 1.0));
         swing.accelerations(to.t, &to.q, &to.v, &mut a, &mut []).unwrap();
-        let found = method.stability(h, Node { state: &to, a: &a, rate: &[], power: &[0.0] });
+        let found = method.stability(h, Node { state: &to, q_rate: &to.v, a: &a, rate: &[], power: &[0.0] });
         assert!((found / expected - 1.0).abs() <= within, "{found} {expected}");
     }
     // nothing moves: no eigenvalue shows
-    let (mut method, rest) = (Dop853::<f64>::new(Sizes { n_q: 2, n_c: 0, n_z: 0, n_works: 1 }), state(0.0, 0.0));
-    assert_eq!(method.stability(0.1, Node { state: &rest, a: &[0.0; 2], rate: &[], power: &[0.0] }), 0.0);
+    let (mut method, rest) =
+        (Dop853::<f64>::new(Sizes { n_q: 2, n_v: 2, n_c: 0, n_z: 0, n_works: 1 }), state(0.0, 0.0));
+    assert_eq!(
+        method.stability(0.1, Node { state: &rest, q_rate: &rest.v, a: &[0.0; 2], rate: &[], power: &[0.0] }),
+        0.0
+    );
 }
 
 /// The polynomial of a step with the numbers c₀ … c₆ is c₀ s + c₁ s (1 − s) + c₂ s² (1 − s) + …, and its error that of the next number, as
 /// much smaller than c₆ as that is than c₅, times s⁴ (1 − s)⁴ = 1/256.
 #[test]
 fn analytic_values_between_and_their_error() {
-    let mut method = Dop853::<f64>::new(Sizes { n_q: 1, n_c: 0, n_z: 0, n_works: 1 });
+    let mut method = Dop853::<f64>::new(Sizes { n_q: 1, n_v: 1, n_c: 0, n_z: 0, n_works: 1 });
     let coefficients = [0.5, -0.3, 0.7, 1.1, -0.9, 0.08, 0.02];
     for (k, c) in coefficients.into_iter().enumerate() {
         method.dense[k] = [c, -2.0 * c, 3.0 * c, 0.0];

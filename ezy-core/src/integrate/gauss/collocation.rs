@@ -34,6 +34,7 @@ impl Family for Collocation {
         chooses_steps: true,
         is_implicit: false,
         needs: Needs::Nothing,
+        takes_any_body: false,
         takes_states: false,
         // its errors lie up to five orders below the tolerance where that is large
         tighter: TIGHTER * TIGHTER * TIGHTER,

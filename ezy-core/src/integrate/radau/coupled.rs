@@ -3,16 +3,16 @@
 use super::entries::Entries;
 use super::stages::{Stages, add_combination};
 use super::tableau::{A, A_SQUARED, N_STAGES, Triple};
-use crate::dynamics::Jacobians;
+use crate::dynamics::{Jacobians, ResidualPlaces};
 use crate::linalg::Lu;
-use crate::model::{JacobianPlaces, SceneInfo};
+use crate::model::SceneInfo;
 
-/// Number of equations of motion up to which all stages are solved together: dense factors of 240 unknowns take some milliseconds.
+/// Number of equations up to which all stages are solved together: dense factors of 240 unknowns take some milliseconds.
 /// Seven parallel cranks have 52 equations, and take 34 steps at 1e-6 with it and 295 without. Test:
 /// `analytic_seven_level_cranks_by_radau_are_a_pendulum_in_few_steps`.
 pub(super) const LARGEST_COUPLED: usize = 80;
 
-/// All three stages as one system of 3 (n_q + n_c) equations, with the Jacobians of each stage in its rows.
+/// All three stages as one system of 3 (n_q + n_c + n_z) equations, with the Jacobians of each stage in its rows.
 ///
 /// The simplified iteration has one set of Jacobians for the step. Where a stiff force turns by the angle φ in it, what is left of
 /// them is φ times its frequency times the step, and nothing is gained once that is one; with Jacobians of their own the stages
@@ -25,16 +25,19 @@ pub(super) struct Coupled {
     column_scale: Vec<f64>,
     solution: Vec<f64>,
     changes: Triple<Vec<f64>>,
+    changes_of_rates: Triple<Vec<f64>>,
     of_q: Vec<f64>,
     of_v: Vec<f64>,
+    of_z: Vec<f64>,
 }
 
 impl Coupled {
     /// None for a scene with too many equations.
-    pub(super) fn new(info: &SceneInfo, places: &JacobianPlaces) -> Option<Self> {
-        let (n_q, n) = (info.n_coordinates(), N_STAGES * info.n_unknowns());
+    pub(super) fn new(info: &SceneInfo, places: &ResidualPlaces) -> Option<Self> {
+        let (n_q, n_z, n_equations) = (info.n_coordinates(), info.n_states(), info.n_unknowns() + info.n_states());
+        let n = N_STAGES * n_equations;
         let zeros = |n: usize| vec![0.0; n];
-        (info.n_unknowns() <= LARGEST_COUPLED).then(|| Self {
+        (n_equations <= LARGEST_COUPLED).then(|| Self {
             jacobians: Jacobians::zero(info, places),
             entries: Entries::new(info, places),
             lu: Lu::new(n),
@@ -42,8 +45,10 @@ impl Coupled {
             column_scale: zeros(n),
             solution: zeros(n),
             changes: std::array::from_fn(|_| zeros(n_q)),
+            changes_of_rates: std::array::from_fn(|_| zeros(n_z)),
             of_q: zeros(n_q),
             of_v: zeros(n_q),
+            of_z: zeros(n_z),
         })
     }
 
@@ -58,7 +63,7 @@ impl Coupled {
 
     /// Improves the stages, as [`Newton::improve`](super::newton::Newton::improve); not a number when the matrix is singular.
     pub(super) fn improve(&mut self, residual: &Triple<Vec<f64>>, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
-        let n_q = self.of_q.len();
+        let (n_q, n_c) = (self.of_q.len(), stages.lambda[0].len());
         let n = residual[0].len();
         self.entries.scale_blocks(self.lu.matrix_mut(), &mut self.row_scale, &mut self.column_scale);
         if !self.lu.factor() {
@@ -70,25 +75,30 @@ impl Coupled {
         self.lu.solve(&mut self.solution);
         self.solution.iter_mut().zip(&self.column_scale).for_each(|(x, scale)| *x *= scale);
         for (i, solution) in self.solution.chunks_exact(n).enumerate() {
-            let (a, lambda) = solution.split_at(n_q);
+            let (a, rest) = solution.split_at(n_q);
+            let (lambda, rates) = rest.split_at(n_c);
             self.changes[i].copy_from_slice(a);
+            self.changes_of_rates[i].copy_from_slice(rates);
             stages.a[i].iter_mut().zip(a).for_each(|(x, change)| *x += change);
             stages.lambda[i].iter_mut().zip(lambda).for_each(|(x, change)| *x += change);
+            stages.rates[i].iter_mut().zip(rates).for_each(|(x, change)| *x += change);
         }
         let mut squares = 0.0;
         for i in 0..N_STAGES {
-            for (table, factor, of, weights, target) in [
-                (&A, h, &mut self.of_v, &weights[n_q..], &mut stages.v[i]),
-                (&A_SQUARED, h * h, &mut self.of_q, &weights[..n_q], &mut stages.q[i]),
+            let Self { changes, changes_of_rates, of_q, of_v, of_z, .. } = self;
+            for (table, factor, changes, of, weights, target) in [
+                (&A, h, &*changes, of_v, &weights[n_q..], &mut stages.v[i]),
+                (&A_SQUARED, h * h, changes, of_q, &weights[..n_q], &mut stages.q[i]),
+                (&A, h, changes_of_rates, of_z, &weights[2 * n_q..], &mut stages.z[i]),
             ] {
                 of.fill(0.0);
-                add_combination(&table[i].map(|weight| factor * weight), &self.changes, of);
+                add_combination(&table[i].map(|weight| factor * weight), changes, of);
                 for ((change, weight), x) in of.iter().zip(weights).zip(target.iter_mut()) {
                     *x += change;
                     squares += (change * weight).powi(2);
                 }
             }
         }
-        (squares / (2 * N_STAGES * n_q).max(1) as f64).sqrt()
+        (squares / (N_STAGES * weights.len()).max(1) as f64).sqrt()
     }
 }

@@ -17,6 +17,7 @@ impl Radau {
         for (out, from, to, stages, error) in [
             (&mut out.q, &from.q, &to.q, &stages.q, &error.q),
             (&mut out.v, &from.v, &to.v, &stages.v, &error.v),
+            (&mut out.z, &from.z, &to.z, &stages.z, &error.z),
             (&mut out.work, &from.work, &to.work, &stages.work, &error.work),
         ] {
             for (i, out) in out.iter_mut().enumerate() {

@@ -13,9 +13,10 @@ use crate::model::SceneRef;
 
 impl Radau {
     /// Works up to the stages.
-    pub(super) fn add_works<P: SceneRef>(&mut self, system: &System<P>, start: &State, h: f64) {
+    pub(super) fn add_works<P: SceneRef>(&mut self, system: &mut System<P>, start: &State, h: f64) {
         for (i, c) in NODES.iter().enumerate() {
-            self.stages.write_state(i, start, &mut self.q, &mut self.v);
+            self.stages.write_state(i, start, [&mut self.q, &mut self.v, &mut self.z]);
+            system.place_states(&self.z);
             system.power(start.t + c * h, &self.q, &self.v, &self.stages.lambda[i], &mut self.powers[i]);
         }
         self.stages.add_works(&self.powers, h);
@@ -27,6 +28,7 @@ impl Radau {
         let (stages, rest, end) = (&self.stages, &mut self.next_rest, N_STAGES - 1);
         compensated::add_each(&mut to.q, &start.q, &stages.q[end], &mut rest.q);
         compensated::add_each(&mut to.v, &start.v, &stages.v[end], &mut rest.v);
+        compensated::add_each(&mut to.z, &start.z, &stages.z[end], &mut rest.z);
         compensated::add_each(&mut to.work, &start.work, &stages.work[end], &mut rest.work);
         to.t = start.t + h;
     }
@@ -39,13 +41,14 @@ impl Radau {
         let Self { stages, matrices, error, solution, .. } = self;
         error.q.copy_from_slice(&from.state.v);
         error.v.copy_from_slice(from.a);
+        error.z.copy_from_slice(from.rate);
         subtract_slopes(stages, h, error);
-        let unfiltered = norm(&error.q, &error.v, &self.weights) * h / GAMMA;
-        matrices.filter(h, &mut error.q, &mut error.v, solution);
+        let unfiltered = norm([&error.q, &error.v, &error.z], &self.weights) * h / GAMMA;
+        matrices.filter(h, error, solution);
         error.work.iter_mut().zip(from.power).for_each(|(error, power)| *error = h * power);
         add_combination(&START_SLOPE, &stages.work, &mut error.work);
         error.work.iter_mut().for_each(|error| *error /= GAMMA);
-        (norm(&error.q, &error.v, &self.weights), unfiltered)
+        (norm([&error.q, &error.v, &error.z], &self.weights), unfiltered)
     }
 
     /// The residual of the equations where no stage stands, less what of it the estimate is: of order 5 for a motion that the step resolves,
@@ -59,27 +62,36 @@ impl Radau {
         tolerance: Tolerance,
         estimate: f64,
     ) -> f64 {
-        let Self { stages, matrices, error, second_error: second, solution, q, v, a, lambda, weights, .. } = self;
+        let Self {
+            stages, matrices, error, second_error: second, solution, q, v, z, a, lambda, rates, weights, ..
+        } = self;
         combine(&UNSEEN_SLOPES, &stages.a, a);
         combine(&UNSEEN_SLOPES, &stages.lambda, lambda);
+        combine(&UNSEEN_SLOPES, &stages.rates, rates);
         v.copy_from_slice(&start.v);
         add_combination(&UNSEEN_INTEGRALS.map(|weight| h * weight), &stages.a, v);
         q.iter_mut().zip(&start.q).zip(&start.v).for_each(|((q, start), v)| *q = start + UNSEEN * h * v);
         add_combination(&UNSEEN_SECOND_INTEGRALS.map(|weight| h * h * weight), &stages.a, q);
-        system.residual(start.t + UNSEEN * h, q, v, a, lambda, solution);
+        z.copy_from_slice(&start.z);
+        add_combination(&UNSEEN_INTEGRALS.map(|weight| h * weight), &stages.rates, z);
+        system.place_states(z);
+        system.residual(start.t + UNSEEN * h, q, v, a, lambda, rates, solution);
         let residual = size_of_forces(solution, system.mass_matrix(), weights);
         matrices.solve_real(solution);
         for ((q, v), alpha) in second.q.iter_mut().zip(&mut second.v).zip(&*solution) {
             *v = h / GAMMA * alpha;
             *q = h / GAMMA * *v;
         }
-        let left = second.v.iter().zip(&error.v).zip(&weights[second.q.len()..]);
+        let of_states = &solution[solution.len() - second.z.len()..];
+        second.z.iter_mut().zip(of_states).for_each(|(z, omega)| *z = h / GAMMA * omega);
+        let (second_numbers, numbers) = (second.v.iter().chain(&second.z), error.v.iter().chain(&error.z));
+        let left = second_numbers.zip(numbers).zip(&weights[second.q.len()..]);
         let left = left.map(|((x, error), weight)| ((x + UNSEEN_REMAINDER * error) * weight).powi(2)).sum::<f64>();
         let larger = (left / weights.len().max(1) as f64).sqrt() * values_over_estimate(tolerance);
         if larger <= estimate {
             return estimate;
         }
-        matrices.slope_along(&second.q, &second.v, solution);
+        matrices.slope_along(second, solution);
         if size_of_forces(solution, system.mass_matrix(), weights) > STIFF * residual { estimate } else { larger }
     }
 
@@ -94,6 +106,7 @@ impl Radau {
     ) -> f64 {
         let Self { stages, matrices, jacobians, second_error: second, solution, .. } = self;
         let end = N_STAGES - 1;
+        system.place_states(&to.z);
         system.jacobians(to.t, &to.q, &to.v, &stages.a[end], &stages.lambda[end], jacobians);
         matrices.write(system.mass_matrix(), jacobians);
         self.fresh = false;
@@ -103,28 +116,34 @@ impl Radau {
         }
         second.q.copy_from_slice(&from.state.v);
         second.v.copy_from_slice(from.a);
+        second.z.copy_from_slice(from.rate);
         subtract_slopes(stages, h, second);
-        matrices.filter(h, &mut second.q, &mut second.v, solution);
-        norm(&second.q, &second.v, &self.weights)
+        matrices.filter(h, second, solution);
+        norm([&second.q, &second.v, &second.z], &self.weights)
     }
 }
 
-/// The slopes (v, a) in `of`, less those of the polynomial through start and stages.
+/// The slopes (v, a, z') in `of`, less those of the polynomial through start and stages.
 fn subtract_slopes(stages: &Stages, h: f64, of: &mut State) {
     let weights = START_SLOPE.map(|weight| weight / h);
     add_combination(&weights, &stages.q, &mut of.q);
     add_combination(&weights, &stages.v, &mut of.v);
+    add_combination(&weights, &stages.z, &mut of.z);
 }
 
-/// Size of forces, as accelerations in tolerances of a velocity, 1/s; a coordinate without mass has no acceleration of its own.
+/// Size of forces, as accelerations in tolerances of a velocity, and of rates in tolerances of their states, 1/s; a coordinate without mass
+/// has no acceleration of its own.
 fn size_of_forces(forces: &[f64], mass: &[f64], weights: &[f64]) -> f64 {
     let of_v = &weights[mass.len()..];
     let all = forces.iter().zip(mass).zip(of_v).filter(|((_, mass), _)| **mass > 0.0);
-    all.map(|((force, mass), weight)| (force / mass * weight).powi(2)).sum::<f64>().sqrt()
+    let all = all.map(|((force, mass), weight)| (force / mass * weight).powi(2));
+    let of_z = &of_v[mass.len()..];
+    let rates = forces[forces.len() - of_z.len()..].iter().zip(of_z).map(|(rate, weight)| (rate * weight).powi(2));
+    all.chain(rates).sum::<f64>().sqrt()
 }
 
-/// Root mean square of positions and velocities, each times its weight.
-pub(super) fn norm(q: &[f64], v: &[f64], weights: &[f64]) -> f64 {
-    let squares = q.iter().chain(v).zip(weights).map(|(x, weight)| (x * weight).powi(2));
+/// Root mean square of positions, velocities and first-order states, each times its weight.
+pub(super) fn norm([q, v, z]: [&[f64]; 3], weights: &[f64]) -> f64 {
+    let squares = q.iter().chain(v).chain(z).zip(weights).map(|(x, weight)| (x * weight).powi(2));
     (squares.sum::<f64>() / weights.len().max(1) as f64).sqrt()
 }

@@ -57,7 +57,8 @@ impl Family for Implicit {
         chooses_steps: true,
         is_implicit: true,
         needs: Needs::Jacobians,
-        takes_states: false,
+        takes_any_body: false,
+        takes_states: true,
         tighter: TIGHTER,
         rounding: ROUNDING_OF_RADAU,
     };
@@ -148,7 +149,7 @@ impl<P: SceneRef> Integrator<System<P>> for Implicit {
         t: f64,
         out: &mut State,
     ) -> Result<bool, MotionError> {
-        let Node { state: start, a, rate, power } = from;
+        let Node { state: start, a, rate, power, .. } = from;
         if self.to_sample.is_none() {
             self.to_sample =
                 self.method.another(system.scene()).map(|method| Box::new((method, start.clone(), start.clone())));
@@ -161,7 +162,7 @@ impl<P: SceneRef> Integrator<System<P>> for Implicit {
             for i in 0..n {
                 std::mem::swap(at, end);
                 at.t = start.t + f64::from(i) * h;
-                let from = Node { state: &*at, a, rate, power };
+                let from = Node { state: &*at, q_rate: &at.v, a, rate, power };
                 if matches!(method.attempt(system, from, h, self.of_estimate, end)?, Attempt::Diverged { .. }) {
                     continue 'parts;
                 }

@@ -4,12 +4,12 @@ use super::entries::Entries;
 use super::factors::Factors;
 use super::tableau::{ALPHA, BETA, GAMMA};
 use crate::archive::Archive;
-use crate::dynamics::Jacobians;
+use crate::dynamics::{Jacobians, ResidualPlaces, State};
 use crate::linalg::SparseKktError;
-use crate::model::{JacobianPlaces, SceneInfo};
+use crate::model::SceneInfo;
 use nalgebra::Complex;
 
-/// `N(μ) = K − [R_v/μ + R_q/μ² | 0]`, factored for the real and one of the complex eigenvalues μ of A⁻¹/h.
+/// `N(μ) = [K 0; 0 1] − [R_v/μ + R_q/μ² | 0 | R_z/μ]`, factored for the real and one of the complex eigenvalues μ of A⁻¹/h.
 pub(super) struct Matrices {
     entries: Entries,
     real: Factors<f64>,
@@ -26,7 +26,7 @@ impl Matrices {
     ///
     /// # Errors
     /// [`SparseKktError`] when there is no memory for an analysis.
-    pub(super) fn new(info: &SceneInfo, jacobians: &JacobianPlaces) -> Result<Self, SparseKktError> {
+    pub(super) fn new(info: &SceneInfo, jacobians: &ResidualPlaces) -> Result<Self, SparseKktError> {
         let entries = Entries::new(info, jacobians);
         let (real, complex) = (entries.factors()?, entries.factors()?);
         Ok(Self { entries, real, complex, step_s: None, negative_at_rest: None, has_regular_k: true })
@@ -92,13 +92,13 @@ impl Matrices {
     }
 
     /// As [`Entries::rounding_along`].
-    pub(super) fn rounding_along(&self, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut [f64]) {
-        self.entries.rounding_along(q, v, a, lambda, out);
+    pub(super) fn rounding_along(&self, at: &State, unknowns: [&[f64]; 3], out: &mut [f64]) {
+        self.entries.rounding_along(at, unknowns, out);
     }
 
     /// As [`Entries::slope_along`].
-    pub(super) fn slope_along(&self, of_q: &[f64], of_v: &[f64], out: &mut [f64]) {
-        self.entries.slope_along(of_q, of_v, out);
+    pub(super) fn slope_along(&self, of: &State, out: &mut [f64]) {
+        self.entries.slope_along(of, out);
     }
 
     /// Solves with the real eigenvalue, in place.
@@ -111,18 +111,20 @@ impl Matrices {
         self.entries.solve(&mut self.complex, x);
     }
 
-    /// `(μ − J)⁻¹ [of_q; of_v]` in place for the real eigenvalue μ of steps of length `h`, where J are the Jacobians of (v, a);
-    /// `solution` (`n_q + n_c`) is overwritten.
-    pub(super) fn filter(&mut self, h: f64, of_q: &mut [f64], of_v: &mut [f64], solution: &mut [f64]) {
+    /// `(μ − J)⁻¹ [q; v; z]` in place for the real eigenvalue μ of steps of length `h`, where J are the Jacobians of (v, a, z');
+    /// `solution` (`n_q + n_c + n_z`) is overwritten.
+    pub(super) fn filter(&mut self, h: f64, of: &mut State, solution: &mut [f64]) {
         let mu = GAMMA / h;
-        // with α = μ dv − of_v and μ dq = dv + of_q: N α = R_v of_v/μ + R_q (of_v/μ + of_q)/μ
-        of_v.iter_mut().for_each(|x| *x /= mu);
-        of_q.iter_mut().zip(&*of_v).for_each(|(q, v)| *q = (*q + v) / mu);
-        self.entries.slope_along(of_q, of_v, solution);
+        // with α = μ dv − v, ω = μ dz − z and μ dq = dv + q: N [α; ω] = R_v v/μ + R_q (v/μ + q)/μ + R_z z/μ
+        of.v.iter_mut().chain(&mut of.z).for_each(|x| *x /= mu);
+        of.q.iter_mut().zip(&of.v).for_each(|(q, v)| *q = (*q + v) / mu);
+        self.entries.slope_along(of, solution);
         self.solve_real(solution);
-        for ((q, v), alpha) in of_q.iter_mut().zip(of_v).zip(solution) {
+        for ((q, v), alpha) in of.q.iter_mut().zip(&mut of.v).zip(&*solution) {
             *v += *alpha / mu;
             *q += *alpha / (mu * mu);
         }
+        let omega = &solution[solution.len() - of.z.len()..];
+        of.z.iter_mut().zip(omega).for_each(|(z, omega)| *z += *omega / mu);
     }
 }

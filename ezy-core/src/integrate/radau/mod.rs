@@ -15,9 +15,10 @@ mod tableau;
 #[cfg(test)]
 mod tests;
 
+use super::family::Sizes;
 use super::{Node, Tolerance};
 use crate::archive::Archive;
-use crate::dynamics::{Jacobians, MotionError, Rows, State, System};
+use crate::dynamics::{Jacobians, MotionError, ResidualPlaces, Rows, State, System};
 use crate::linalg::SparseKktError;
 use crate::model::{Scene, SceneRef};
 use convergence::{Convergence, SHORTEN, Verdict};
@@ -30,10 +31,10 @@ use tableau::{N_STAGES, NODES, Triple};
 use control::{RadauControl, tolerance_of_estimate};
 pub(crate) use implicit::Implicit;
 
-/// Stages of the method for q' = v, v' = a, w' = power of each effect, where a and the multipliers λ solve the equations of
-/// motion.
+/// Stages of the method for q' = v, v' = a, z' = rates of first-order states, w' = power of each effect, where a and the multipliers λ
+/// solve the equations of motion.
 ///
-/// The unknowns are a and λ at the stages. Positions and velocities follow by quadrature, so that no stage needs a
+/// The unknowns are a, λ and z' at the stages. Positions, velocities and states follow by quadrature, so that no stage needs a
 /// factorisation of its own, and bodies may be massless. The method is L-stable: modes that decay fast, or oscillate faster
 /// than the steps resolve, are damped out in one step. Works are integrated by the quadrature of the method and do not choose
 /// its steps. What rounding cuts off a sum is added to the next one, as in [`Rk4`](super::Rk4).
@@ -60,19 +61,21 @@ pub(crate) struct Radau {
     rate: f64,
     /// Error after the last pass of that iteration, over its change.
     share: f64,
-    /// Reciprocals of what is tolerated, q then v.
+    /// Reciprocals of what is tolerated, q then v then z.
     weights: Vec<f64>,
-    /// Estimate of the error of q, v and works, and a second look at it.
+    /// Estimate of the error of q, v, z and works, and a second look at it.
     error: State,
     second_error: State,
     solution: Vec<f64>,
-    /// Rounding of the equations of motion, `n_q`.
+    /// Rounding of the equations of motion, `n_q`, then of the rates of first-order states, `n_z`.
     rounding: Vec<f64>,
-    /// A state with its accelerations and multipliers, for the time of a call.
+    /// A state with its accelerations, multipliers and rates, for the time of a call.
     q: Vec<f64>,
     v: Vec<f64>,
+    z: Vec<f64>,
     a: Vec<f64>,
     lambda: Vec<f64>,
+    rates: Vec<f64>,
     powers: Triple<Vec<f64>>,
     /// What rounding cut off the last accepted step, and what it would cut off the present one.
     rest: State,
@@ -118,9 +121,10 @@ impl Radau {
     /// [`SparseKktError`] when there is no memory for the analysis of a large scene.
     pub(crate) fn new<S: Scene + ?Sized>(scene: &S, n_works: usize) -> Result<Option<Self>, SparseKktError> {
         let info = scene.info();
-        let Some(places) = scene.jacobian_places() else { return Ok(None) };
-        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
-        let (stages, state) = (Stages::zero(n_q, n_c, n_works), State::zero(n_q, n_works));
+        let Some(places) = ResidualPlaces::of(scene) else { return Ok(None) };
+        let sizes = Sizes::new(&info, n_works);
+        let Sizes { n_q, n_c, n_z, n_works, .. } = sizes;
+        let (stages, state) = (Stages::zero(sizes), State::zeros([n_q; 2], n_z, n_works));
         Ok(Some(Self {
             n_works,
             before: stages.clone(),
@@ -129,20 +133,22 @@ impl Radau {
             matrices: Matrices::new(&info, &places)?,
             jacobians: Jacobians::zero(&info, &places),
             fresh: false,
-            newton: Newton::new(n_q + n_c),
+            newton: Newton::new(n_q + n_c + n_z),
             coupled: Coupled::new(&info, &places),
             n_coupled: 0,
             rate: SLOW,
             share: 1.0,
-            weights: vec![0.0; 2 * n_q],
+            weights: vec![0.0; 2 * n_q + n_z],
             error: state.clone(),
             second_error: state.clone(),
-            solution: vec![0.0; n_q + n_c],
-            rounding: vec![0.0; n_q],
+            solution: vec![0.0; n_q + n_c + n_z],
+            rounding: vec![0.0; n_q + n_z],
             q: vec![0.0; n_q],
             v: vec![0.0; n_q],
+            z: vec![0.0; n_z],
             a: vec![0.0; n_q],
             lambda: vec![0.0; n_c],
+            rates: vec![0.0; n_z],
             powers: std::array::from_fn(|_| vec![0.0; n_works]),
             rest: state.clone(),
             next_rest: state,
@@ -158,8 +164,8 @@ impl Radau {
     fn remember<P: SceneRef>(&mut self, system: &System<P>, archive: &mut Archive) {
         self.before.remember(archive);
         archive.option(&mut self.before_s);
-        let Jacobians { by_q, by_v, jacobian } = &mut self.jacobians;
-        [by_q, by_v, jacobian].into_iter().for_each(|entries| archive.numbers(entries));
+        let Jacobians { by_q, by_v, by_z, jacobian } = &mut self.jacobians;
+        [by_q, by_v, by_z, jacobian].into_iter().for_each(|entries| archive.numbers(entries));
         if archive.is_read() {
             self.matrices.write(system.mass_matrix(), &self.jacobians);
         }
@@ -183,7 +189,7 @@ impl Radau {
     /// Forgets the steps before, at the beginning of another run or after a jump.
     pub(crate) fn restart(&mut self) {
         self.turn();
-        for rest in [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work] {
+        for rest in [&mut self.rest.q, &mut self.rest.v, &mut self.rest.z, &mut self.rest.work] {
             rest.fill(0.0);
         }
     }
@@ -211,8 +217,8 @@ impl Radau {
             return Ok(Attempt::Diverged { factor: SHORTEN });
         }
         let (stages, end) = (&self.stages, N_STAGES - 1);
-        let State { q, v, .. } = from.state;
-        self.matrices.rounding_along(q, v, &stages.a[end], &stages.lambda[end], &mut self.rounding);
+        let unknowns = [&stages.a[end][..], &stages.lambda[end], &stages.rates[end]];
+        self.matrices.rounding_along(from.state, unknowns, &mut self.rounding);
         let n_passes = match self.solve(system, from, h, tolerance)? {
             Ok(n_passes) => n_passes,
             Err(factor) => return Ok(Attempt::Diverged { factor }),
@@ -269,10 +275,11 @@ impl Radau {
     ) -> Result<u32, f64> {
         loop {
             for (i, c) in NODES.iter().enumerate() {
-                let Self { stages, q, v, newton, .. } = self;
-                stages.write_state(i, start, q, v);
+                let Self { stages, q, v, z, newton, .. } = self;
+                stages.write_state(i, start, [q, v, z]);
+                system.place_states(z);
                 let (t, a, lambda) = (start.t + c * h, &stages.a[i], &stages.lambda[i]);
-                system.residual(t, q, v, a, lambda, &mut newton.residual[i]);
+                system.residual(t, q, v, a, lambda, &stages.rates[i], &mut newton.residual[i]);
                 if let Some(coupled) = &mut coupled {
                     system.jacobians(t, q, v, a, lambda, &mut coupled.jacobians);
                     coupled.write(i, h, system.mass_matrix());
@@ -299,7 +306,7 @@ impl Radau {
         Ok(convergence.n_passes())
     }
 
-    /// Largest change of a velocity, over its tolerance, that the residuals of the equations of motion make in a step of length `h`, less
+    /// Largest change of a velocity or a first-order state, over its tolerance, that the residuals make in a step of length `h`, less
     /// their rounding. A coordinate without mass has no velocity of its own.
     fn unsolved(&self, mass: &[f64], h: f64) -> f64 {
         let Self { newton, rounding, weights, .. } = self;
@@ -310,6 +317,11 @@ impl Radau {
                 if *mass > 0.0 {
                     largest = largest.max((residual.abs() - rounding) * h / mass * weight);
                 }
+            }
+            let (n_q, n_z) = (mass.len(), rounding.len() - mass.len());
+            let of_states = residual[residual.len() - n_z..].iter().zip(&rounding[n_q..]).zip(&of_v[n_q..]);
+            for ((residual, rounding), weight) in of_states {
+                largest = largest.max((residual.abs() - rounding) * h * weight);
             }
         }
         largest
@@ -331,14 +343,14 @@ impl Radau {
     /// A first step: a hundredth of the time in which the state would change by its own size.
     pub(crate) fn first_step(&mut self, from: Node<'_>, longest: f64, tolerance: Tolerance) -> f64 {
         self.weigh(from.state, tolerance);
-        let State { q, v, .. } = from.state;
-        let ratio = estimate::norm(q, v, &self.weights) / estimate::norm(v, from.a, &self.weights);
+        let State { q, v, z, .. } = from.state;
+        let ratio = estimate::norm([q, v, z], &self.weights) / estimate::norm([v, from.a, from.rate], &self.weights);
         let step_s = if ratio.is_finite() { (FIRST * ratio).max(LEAST_FIRST_S) } else { LEAST_FIRST_S };
         step_s.min(longest)
     }
 
     fn weigh(&mut self, start: &State, tolerance: Tolerance) {
-        let numbers = start.q.iter().chain(&start.v).enumerate();
+        let numbers = start.q.iter().chain(&start.v).chain(&start.z).enumerate();
         for (weight, (i, x)) in self.weights.iter_mut().zip(numbers) {
             *weight = 1.0 / tolerance.of(i, start.q.len(), x.abs());
         }
@@ -346,7 +358,8 @@ impl Radau {
 
     /// First guess of the stages.
     fn predict<P: SceneRef>(&mut self, system: &mut System<P>, from: Node<'_>, h: f64) -> Result<(), MotionError> {
-        let State { t, q, v, .. } = from.state;
+        let State { t, q, v, z, .. } = from.state;
+        system.place_states(z);
         match self.before_s {
             Some(before_s) => {
                 self.stages.extrapolate(&self.before, h / before_s);
@@ -358,7 +371,7 @@ impl Radau {
             }
             None => {
                 system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
-                self.stages.hold(&self.a, &self.lambda);
+                self.stages.hold(&self.a, &self.lambda, from.rate);
             }
         }
         self.stages.follow(&from.state.v, h);
@@ -377,6 +390,7 @@ impl Radau {
                 Some(_) => (&self.before.a[N_STAGES - 1], &self.before.lambda[N_STAGES - 1]),
                 None => (&self.stages.a[N_STAGES - 1], &self.stages.lambda[N_STAGES - 1]),
             };
+            system.place_states(&start.z);
             system.jacobians(start.t, &start.q, &start.v, a, lambda, &mut self.jacobians);
             self.matrices.write(system.mass_matrix(), &self.jacobians);
             self.fresh = true;

@@ -7,14 +7,14 @@ use nalgebra::Complex;
 
 /// What one pass needs.
 pub(super) struct Newton {
-    /// Residuals of the equations of motion at the stages, `n_q + n_c` each.
+    /// Residuals of the equations of motion and of the rates at the stages, `n_q + n_c + n_z` each.
     pub residual: Triple<Vec<f64>>,
     real: Vec<f64>,
     complex: Vec<Complex<f64>>,
 }
 
 impl Newton {
-    /// For `n` equations of motion.
+    /// For `n` equations.
     pub(super) fn new(n: usize) -> Self {
         Self {
             residual: std::array::from_fn(|_| vec![0.0; n]),
@@ -23,11 +23,11 @@ impl Newton {
         }
     }
 
-    /// Improves the stages of a step of length `h`; returns the root mean square of the changes of positions and
-    /// velocities, each times its weight (`2 n_q`).
+    /// Improves the stages of a step of length `h`; returns the root mean square of the changes of positions,
+    /// velocities and first-order states, each times its weight (`2 n_q + n_z`).
     pub(super) fn improve(&mut self, matrices: &mut Matrices, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
         self.solve(matrices);
-        let n_q = stages.a[0].len();
+        let (n_q, n_c, n_z) = (stages.a[0].len(), stages.lambda[0].len(), stages.rates[0].len());
         let (real_length, complex_length) = (h / GAMMA, Complex::new(h, 0.0) / Complex::new(ALPHA, BETA));
         let (weights_q, weights_v) = weights.split_at(n_q);
         let mut squares = 0.0;
@@ -50,10 +50,20 @@ impl Newton {
                 *lambda += row[0] * real + row[1] * z.re + row[2] * z.im;
             }
         }
-        (squares / (2 * N_STAGES * n_q).max(1) as f64).sqrt()
+        for j in 0..n_z {
+            let (rate, transformed) = (self.real[n_q + n_c + j], self.complex[n_q + n_c + j]);
+            let (by_real, by_complex) = (real_length * rate, complex_length * transformed);
+            for (i, row) in T.iter().enumerate() {
+                let by_z = row[0] * by_real + row[1] * by_complex.re + row[2] * by_complex.im;
+                stages.rates[i][j] += row[0] * rate + row[1] * transformed.re + row[2] * transformed.im;
+                stages.z[i][j] += by_z;
+                squares += (by_z * weights_v[n_q + j]).powi(2);
+            }
+        }
+        (squares / (N_STAGES * weights.len()).max(1) as f64).sqrt()
     }
 
-    /// Changes of accelerations and multipliers, transformed.
+    /// Changes of accelerations, multipliers and rates, transformed.
     fn solve(&mut self, matrices: &mut Matrices) {
         let [first, second, third] = &self.residual;
         let row =

@@ -56,7 +56,8 @@ impl Family for AlongSeries {
         chooses_steps: true,
         is_implicit: false,
         needs: Needs::Series,
-        takes_states: false,
+        takes_any_body: false,
+        takes_states: true,
         tighter: TIGHTER,
         rounding: ROUNDING,
     };
@@ -160,7 +161,8 @@ impl<P: SceneRef> Integrator<System<P>> for AlongSeries {
     /// disagree with it, the next try is half as long.
     fn refuses(&mut self, from: Node<'_>, to: Node<'_>) -> bool {
         let (t, h) = (from.state.t, to.state.t - from.state.t);
-        let shortens = !is_too_short(t, 0.5 * h) && !self.taylor.follows(h, to.a, LARGEST_DEFECT, DEFECT_OF_ROUNDING);
+        let shortens =
+            !is_too_short(t, 0.5 * h) && !self.taylor.follows(h, [to.a, to.rate], LARGEST_DEFECT, DEFECT_OF_ROUNDING);
         if shortens {
             self.at_most_s = 0.5 * h;
             self.rejected += 1;
@@ -246,7 +248,7 @@ mod tests {
             let mut series = AlongSeries::new(taylor, Tolerance::new(1e-9, 1e-9));
             let (from, mut to) = (State::zero(3, 0), State::zero(3, 0));
             to.t = h;
-            let node = |state| Node { state, a: &[f64::NAN; 3], rate: &[], power: &[] };
+            let node = |state| Node { state, q_rate: &[f64::NAN; 3], a: &[f64::NAN; 3], rate: &[], power: &[] };
             let refused = Integrator::<System<&stone::Falls>>::refuses(&mut series, node(&from), node(&to));
             assert_eq!(refused, is_halved, "{h:e}");
             assert_eq!((series.at_most_s, series.rejected), if is_halved { (0.5 * h, 1) } else { (f64::INFINITY, 0) });

@@ -13,7 +13,7 @@ pub(super) trait OrderSolver<T: Scalar> {
     fn solve(&mut self, k: usize, store: &mut SeriesStore<T>);
 }
 
-/// Coefficients of q up to `order + 1` and of the multipliers up to `order - 1`, behind [`Series::begin`], with the
+/// Coefficients of q up to `order + 1`, of z up to `order` and of the multipliers up to `order - 1`, behind [`Series::begin`], with the
 /// scene's own factors.
 pub(super) fn expand<T: Scalar>(series: &dyn Series<T>, c: &[T], order: usize, store: &mut SeriesStore<T>) {
     series.solve(c, 0, store);

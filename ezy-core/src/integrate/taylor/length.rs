@@ -1,5 +1,6 @@
 //! Order and length of a step, from the tolerance and the coefficients.
 
+use super::states::States;
 use crate::integrate::Tolerance;
 use crate::model::SeriesStore;
 use crate::scalar::Scalar;
@@ -35,11 +36,11 @@ const LOG_NOTHING: f64 = -1023.0;
 
 /// The longest step whose truncation keeps to a tolerance, s; infinite where all high orders vanish.
 ///
-/// The order of a step is that of v, so that y_k holds q_k and v_k = (k + 1) q_{k+1}, each over its tolerance. The last four
+/// The order of a step is that of v and z, so that y_k holds q_k, v_k = (k + 1) q_{k+1} and z_k, each over its tolerance. The last four
 /// orders give a radius of convergence and, each carried on to the last order with it, the size of the last term; the
 /// step is such that all terms after it, as a geometric series, make the tolerance.
-pub(super) fn longest_step<T: Scalar>(store: &SeriesStore<T>, order: usize, weights: &[f64]) -> f64 {
-    let size = |k: usize| log2(norm(store, k, weights));
+pub(super) fn longest_step<T: Scalar>(store: &SeriesStore<T>, states: States, order: usize, weights: &[f64]) -> f64 {
+    let size = |k: usize| log2(norm(store, states, k, weights));
     let mut sizes = [LOG_NOTHING; N_LAST];
     sizes.iter_mut().enumerate().for_each(|(i, last)| *last = size(order + 1 + i - N_LAST));
     let [earlier, later] = [sizes[0].max(sizes[1]), sizes[2].max(sizes[3])];
@@ -60,23 +61,33 @@ pub(super) fn longest_step<T: Scalar>(store: &SeriesStore<T>, order: usize, weig
     ((-last_term - rest) / order).min(radius + LOG_WITHIN_RADIUS).exp2()
 }
 
-/// Reciprocals of the tolerances of q, then of v.
-pub(super) fn write_weights<T: Scalar>(store: &SeriesStore<T>, tolerance: Tolerance, weights: &mut [f64]) {
-    let n_q = weights.len() / 2;
-    for (i, (weight, x)) in weights.iter_mut().zip(&store.q).enumerate() {
+/// Reciprocals of the tolerances of q, v, then z.
+pub(super) fn write_weights<T: Scalar>(
+    store: &SeriesStore<T>,
+    states: States,
+    tolerance: Tolerance,
+    weights: &mut [f64],
+) {
+    let of_motion = weights.len() - states.count();
+    let n_q = of_motion / 2;
+    let numbers = store.q[..of_motion].iter().chain(states.of_order(store, 0));
+    for (i, (weight, x)) in weights.iter_mut().zip(numbers).enumerate() {
         *weight = 1.0 / tolerance.of(i, n_q, x.magnitude());
     }
 }
 
 /// Largest entry of y_k over its tolerance.
-fn norm<T: Scalar>(store: &SeriesStore<T>, k: usize, weights: &[f64]) -> f64 {
-    let (of_q, of_v) = weights.split_at(weights.len() / 2);
+fn norm<T: Scalar>(store: &SeriesStore<T>, states: States, k: usize, weights: &[f64]) -> f64 {
+    let (of_motion, of_z) = weights.split_at(weights.len() - states.count());
+    let (of_q, of_v) = of_motion.split_at(of_motion.len() / 2);
     let n_q = of_q.len();
-    let largest = |k: usize, weights: &[f64]| {
-        let sizes = store.q[k * n_q..][..n_q].iter().zip(weights).map(|(x, weight)| x.magnitude() * weight);
+    let largest = |numbers: &[T], weights: &[f64]| {
+        let sizes = numbers.iter().zip(weights).map(|(x, weight)| x.magnitude() * weight);
         sizes.fold(0.0, f64::max)
     };
-    largest(k, of_q).max((k + 1) as f64 * largest(k + 1, of_v))
+    let q = |k: usize| &store.q[k * n_q..][..n_q];
+    let of_motion = largest(q(k), of_q).max((k + 1) as f64 * largest(q(k + 1), of_v));
+    of_motion.max(largest(states.of_order(store, k), of_z))
 }
 
 /// Logarithm to 0.09, which is 1 % of a step: exponent and mantissa as they stand.
@@ -96,7 +107,7 @@ mod tests {
         let size = SeriesSize { n_coordinates: 1, n_rows: 0, n_products: 0, n_base: 0, n_kept: 0 };
         let mut store = SeriesStore::<f64>::new(size, ORDER + 1);
         store.q.iter_mut().enumerate().for_each(|(k, q)| *q = coefficient(k));
-        longest_step(&store, ORDER, &[1.0, 0.0])
+        longest_step(&store, States::new(0, size), ORDER, &[1.0, 0.0])
     }
 
     /// Rounding of some logarithms.
@@ -147,14 +158,30 @@ mod tests {
         let size = SeriesSize { n_coordinates: 2, n_rows: 0, n_products: 0, n_base: 0, n_kept: 0 };
         let mut store = SeriesStore::<f64>::new(size, 3);
         store.q = vec![2.0, -1.0, 4.0, 3.0, 1.0, -5.0, 7.0, 2.0];
-        let norm = |weights: [f64; 4], k: usize| norm(&store, k, &weights);
+        let states = States::new(0, size);
+        let norm = |weights: [f64; 4], k: usize| norm(&store, states, k, &weights);
         assert_eq!(norm([1.0, 10.0, 0.0, 0.0], 1), 30.0);
         assert_eq!(norm([1.0, 0.0, 1.0, 0.0], 1), 4.0);
         assert_eq!(norm([0.0, 0.0, 2.0, 1.0], 1), 10.0);
         assert_eq!(norm([0.0, 0.0, 1.0, 1.0], 2), 21.0);
         let mut weights = [0.0; 4];
-        write_weights(&store, Tolerance::new(0.5, 1.0), &mut weights);
+        write_weights(&store, states, Tolerance::new(0.5, 1.0), &mut weights);
         assert_eq!(weights, [0.5, 1.0 / 1.5, 1.0 / 3.0, 1.0 / 2.5]);
+    }
+
+    /// A state beside an angle that has a tolerance of its own, which is not that of the state.
+    #[test]
+    fn analytic_states_count_with_their_own_tolerance() {
+        let size = SeriesSize { n_coordinates: 3, n_rows: 0, n_products: 0, n_base: 0, n_kept: 2 };
+        let (states, mut store) = (States::new(1, size), SeriesStore::<f64>::new(size, 3));
+        store.kept = vec![-4.0, 50.0, 3.0, 50.0, 7.0, 50.0, 1.0, 50.0];
+        let mut weights = [0.0; 7];
+        let tolerance = Tolerance { angle: Some(0.125), ..Tolerance::new(0.5, 2.0) };
+        write_weights(&store, states, tolerance, &mut weights);
+        assert_eq!(weights, [0.5, 0.5, 8.0, 0.5, 0.5, 0.5, 0.25]);
+        assert_eq!([0, 1, 2].map(|k| norm(&store, states, k, &weights)), [1.0, 0.75, 1.75]);
+        store.q[3..6].copy_from_slice(&[0.0, 0.0, 2.0]);
+        assert_eq!([0, 1, 2].map(|k| norm(&store, states, k, &weights)), [1.0, 16.0, 1.75]);
     }
 
     /// 1 − ln(ε)/2 for the least work, two more for what does not depend on the order; between 6 and 24.

@@ -2,6 +2,7 @@
 
 use super::expansion::{OrderSolver, expand, expand_with, increment};
 use super::length::{longest_step, write_weights};
+use super::states::States;
 use crate::dynamics::{MotionError, State, System, SystemError, not_finite};
 use crate::integrate::Tolerance;
 use crate::linalg::Backend;
@@ -39,6 +40,16 @@ pub enum PreciseError {
         /// Name of the scene.
         scene: &'static str,
     },
+    /// The start has not the first-order states of the scene.
+    #[error("the start has {found} first-order states, and scene `{scene}` has {expected}")]
+    States {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Of the scene.
+        expected: usize,
+        /// Of the start.
+        found: usize,
+    },
     /// Parameters or masses cannot be used.
     #[error(transparent)]
     System(#[from] SystemError),
@@ -65,9 +76,12 @@ pub struct PreciseMotion<'s, S: Scene + ?Sized> {
     t: f64,
     q: Vec<DoubleDouble>,
     v: Vec<DoubleDouble>,
+    z: Vec<DoubleDouble>,
+    states: States,
     lambda: Vec<DoubleDouble>,
     delta: Vec<DoubleDouble>,
     v_delta: Vec<DoubleDouble>,
+    z_delta: Vec<DoubleDouble>,
     residual: Vec<DoubleDouble>,
 }
 
@@ -75,16 +89,17 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
     /// From a state that meets the rows in f64, with the present parameters and the declared inputs.
     ///
     /// # Errors
-    /// [`PreciseError`] when the scene has no series, cannot be set up, or its constraints depend on each other at the start.
+    /// [`PreciseError`] when the scene has no series, cannot be set up, has other first-order states, or its constraints depend on each other
+    /// at the start.
     pub fn new(scene: &'s S, start: &State) -> Result<Self, PreciseError> {
         let parameters = (0..scene.info().parameters.len()).map(|i| scene.parameter(i).into());
         let parameters: Vec<DoubleDouble> = parameters.collect();
-        let [q, v] = [&start.q, &start.v].map(|x| x.iter().map(|x| (*x).into()).collect::<Vec<_>>());
-        Self::with_parameters(scene, &parameters, start.t, &q, &v)
+        let [q, v, z] = [&start.q, &start.v, &start.z].map(|x| x.iter().map(|x| (*x).into()).collect::<Vec<_>>());
+        Self::from_numbers(scene, &parameters, start.t, [&q, &v, &z])
     }
 
     /// From a state and parameters, in the order of [`SceneInfo::parameters`](crate::model::SceneInfo::parameters), of
-    /// which f64 holds the first half only.
+    /// which f64 holds the first half only. First-order states begin with their declared values.
     ///
     /// # Errors
     /// As [`PreciseMotion::new`].
@@ -95,11 +110,24 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
         q: &[DoubleDouble],
         v: &[DoubleDouble],
     ) -> Result<Self, PreciseError> {
+        let z: Vec<_> = scene.info().states.iter().map(|state| state.default.into()).collect();
+        Self::from_numbers(scene, parameters, t, [q, v, &z])
+    }
+
+    fn from_numbers(
+        scene: &'s S,
+        parameters: &[DoubleDouble],
+        t: f64,
+        [q, v, z]: [&[DoubleDouble]; 3],
+    ) -> Result<Self, PreciseError> {
         let info = scene.info();
         let precise = scene.precise().ok_or(PreciseError::NoSeries { scene: info.name })?;
         let system = System::new(scene, Backend::Auto)?;
         let zeros = |n: usize| vec![DoubleDouble::default(); n];
-        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let (n_q, n_c, n_z) = (info.n_coordinates(), info.n_rows(), info.n_states());
+        if z.len() != n_z {
+            return Err(PreciseError::States { scene: info.name, expected: n_z, found: z.len() });
+        }
         let mut fixed = zeros(info.n_fixed());
         fixed.iter_mut().zip(system.inputs()).for_each(|(input, value)| *input = (*value).into());
         precise.constants(parameters, &mut fixed);
@@ -119,13 +147,16 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
                 q: vec![0.0; n_q],
             },
             store: SeriesStore::new(precise.series_size(), ORDER + 1),
-            weights: vec![0.0; 2 * n_q],
+            states: States::new(n_z, precise.series_size()),
+            weights: vec![0.0; 2 * n_q + n_z],
             t,
             q: q.to_vec(),
             v: v.to_vec(),
+            z: z.to_vec(),
             lambda: zeros(n_c),
             delta: zeros(n_q),
             v_delta: zeros(n_q),
+            z_delta: zeros(n_z),
             residual: zeros(n_c),
         };
         motion.project()?;
@@ -141,6 +172,11 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
     /// Velocities, `n_q`.
     pub fn v(&self) -> &[DoubleDouble] {
         &self.v
+    }
+
+    /// First-order states, `n_z`.
+    pub fn z(&self) -> &[DoubleDouble] {
+        &self.z
     }
 
     /// Multipliers, `n_c`.
@@ -161,9 +197,9 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
 
     /// One step, which ends at `end` at the latest. It costs about a hundred steps of [`Taylor`](super::Taylor); no allocation.
     fn step(&mut self, end: f64) -> Result<(), MotionError> {
-        let Self { store, weights, t, .. } = self;
-        write_weights(store, Tolerance::new(TOLERANCE, TOLERANCE), weights);
-        let (length, left) = (longest_step(store, ORDER, weights), end - *t);
+        let Self { store, states, weights, t, .. } = self;
+        write_weights(store, *states, Tolerance::new(TOLERANCE, TOLERANCE), weights);
+        let (length, left) = (longest_step(store, *states, ORDER, weights), end - *t);
         if length < left && length <= SHORTEST * t.abs().max(1.0) {
             return Err(MotionError::StepCollapsed { t: *t, step_s: length });
         }
@@ -171,8 +207,10 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
         let t_next = if length < left { *t + length } else { end };
         let h = DoubleDouble::from(t_next) - DoubleDouble::from(*t);
         increment(store, ORDER, h, &mut self.delta, &mut self.v_delta);
+        states.increment(store, ORDER, h, &mut self.z_delta);
         self.q.iter_mut().zip(&self.delta).for_each(|(q, delta)| *q = *q + *delta);
         self.v.iter_mut().zip(&self.v_delta).for_each(|(v, delta)| *v = *v + *delta);
+        self.z.iter_mut().zip(&self.z_delta).for_each(|(z, delta)| *z = *z + *delta);
         self.check_finite()?;
         self.t = t_next;
         self.project()?;
@@ -180,13 +218,16 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
     }
 
     fn check_finite(&self) -> Result<(), MotionError> {
-        let broken = not_finite(self.solver.system.info(), &self.q, &self.v);
+        let info = self.solver.system.info();
+        let of_states = || self.z.iter().position(|z| !z.is_finite()).map(|i| info.states[i].name.into());
+        let broken = not_finite(info, &self.q, &self.v).or_else(of_states);
         broken.map_or(Ok(()), |quantity| Err(MotionError::NotFinite { t: self.t, quantity }))
     }
 
     fn expand(&mut self) -> Result<(), MotionError> {
-        let Self { scene, solver, store, t, q, v, lambda, .. } = self;
-        let n_q = q.len();
+        let Self { scene, solver, store, t, q, v, z, lambda, .. } = self;
+        let (n_q, n_inputs) = (q.len(), solver.system.info().n_inputs());
+        solver.fixed[n_inputs..][..z.len()].copy_from_slice(z);
         store.q[..n_q].copy_from_slice(q);
         store.q[n_q..2 * n_q].copy_from_slice(v);
         let deficient = scene.begin(&solver.fixed, (*t).into(), store);

@@ -1,6 +1,7 @@
 //! Works over a step, from powers along its polynomials.
 
 use super::expansion::increment;
+use super::states::States;
 use crate::dynamics::{State, System};
 use crate::model::{SceneRef, SeriesStore};
 
@@ -11,6 +12,7 @@ use crate::model::{SceneRef, SeriesStore};
 #[derive(Debug)]
 pub(super) struct Quadrature {
     nodes: Vec<(f64, f64)>,
+    states: States,
     at: State,
     lambda: Vec<f64>,
 }
@@ -20,28 +22,31 @@ const PASSES: usize = 5;
 
 impl Quadrature {
     /// Exact for polynomials of degree `degree`.
-    pub(super) fn new(degree: usize, n_q: usize, n_c: usize, n_works: usize) -> Self {
+    pub(super) fn new(degree: usize, [n_q, n_c]: [usize; 2], states: States, n_works: usize) -> Self {
         let n = degree / 2 + 1;
         let nodes = if n_works == 0 { Vec::new() } else { (0..n).map(|i| node(n, i)).collect() };
-        Self { nodes, at: State::zero(n_q, n_works), lambda: vec![0.0; n_c] }
+        Self { nodes, states, at: State::zeros([n_q; 2], states.count(), n_works), lambda: vec![0.0; n_c] }
     }
 
     /// Adds to `work` what each power does over `h` from the state `from`.
     pub(super) fn add_works<P: SceneRef>(
         &mut self,
-        system: &System<P>,
+        system: &mut System<P>,
         store: &SeriesStore<f64>,
         order: usize,
         from: &State,
         h: f64,
         work: &mut [f64],
     ) {
-        let Self { nodes, at, lambda } = self;
+        let Self { nodes, states, at, lambda } = self;
         for (node, weight) in nodes {
             let s = *node * h;
             increment(store, order, s, &mut at.q, &mut at.v);
             at.q.iter_mut().zip(&from.q).for_each(|(q, start)| *q += start);
             at.v.iter_mut().zip(&from.v).for_each(|(v, start)| *v += start);
+            states.increment(store, order, s, &mut at.z);
+            at.z.iter_mut().zip(&from.z).for_each(|(z, start)| *z += start);
+            system.place_states(&at.z);
             multipliers(store, order, s, lambda);
             system.power(from.t + s, &at.q, &at.v, lambda, &mut at.work);
             work.iter_mut().zip(&at.work).for_each(|(work, power)| *work += h * *weight * power);
@@ -82,6 +87,10 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::series::SeriesSize;
+
+    const SIZE: SeriesSize = SeriesSize { n_coordinates: 0, n_rows: 2, n_products: 0, n_base: 0, n_kept: 0 };
+    const NONE: States = States::new(0, SIZE);
 
     /// Nodes and weights integrate t^d over (0, 1) for all degrees d up to 2 n − 1, and not for 2 n.
     #[test]
@@ -101,17 +110,15 @@ mod tests {
     #[test]
     fn regress_number_of_nodes() {
         for (degree, n) in [(6, 4), (7, 4), (24, 13)] {
-            assert_eq!(Quadrature::new(degree, 3, 0, 1).nodes.len(), n);
-            assert!(Quadrature::new(degree, 3, 0, 0).nodes.is_empty());
+            assert_eq!(Quadrature::new(degree, [3, 0], NONE, 1).nodes.len(), n);
+            assert!(Quadrature::new(degree, [3, 0], NONE, 0).nodes.is_empty());
         }
     }
 
     /// Multipliers 1 + 2 s + 3 s² and −4 + s².
     #[test]
     fn analytic_multipliers_are_sums_of_their_coefficients() {
-        let size =
-            crate::model::series::SeriesSize { n_coordinates: 0, n_rows: 2, n_products: 0, n_base: 0, n_kept: 0 };
-        let mut store = SeriesStore::<f64>::new(size, 2);
+        let mut store = SeriesStore::<f64>::new(SIZE, 2);
         store.lambda = vec![1.0, -4.0, 2.0, 0.0, 3.0, 1.0];
         let mut lambda = [9.0; 2];
         multipliers(&store, 3, 0.5, &mut lambda);

@@ -56,7 +56,7 @@ impl Elements {
         let declared = description.inputs.iter().chain(description.states);
         c.iter_mut().zip(declared).for_each(|(value, declared)| *value = declared.default);
         scene.constants(&scene.parameters(), &mut c);
-        let mut mass = vec![0.0; description.n_coordinates()];
+        let mut mass = vec![0.0; description.n_velocities()];
         scene.mass_matrix(&c, &mut mass);
         Self { infos, first, n_values, c, mass }
     }
@@ -77,7 +77,8 @@ impl Elements {
     fn placed(&self, scene: &dyn Scene, c: &[f64], t: f64, q: &[f64], v: &[f64]) -> Placed {
         let mut values = vec![0.0; self.n_values];
         scene.element_values(c, t, q, v, &mut values);
-        Placed { t, q: q.to_vec(), values }
+        let is_drawn = q.len() == v.len();
+        Placed { t, q: if is_drawn { q.to_vec() } else { Vec::new() }, values }
     }
 
     /// Inputs as declared, then the constants of the scene: what its kernels read as `c`.

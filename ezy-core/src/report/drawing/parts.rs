@@ -77,9 +77,10 @@ impl Drawing {
     /// pixels; without it a usual body is 100 pixels long.
     pub fn new(scene: &dyn Scene, elements: Elements, start: &Placed, frames: &[Placed], width: Option<f64>) -> Self {
         let info = scene.info();
-        let centres = (0..info.bodies.len()).map(|i| start.centre(i));
+        let bodies = info.drawn_bodies();
+        let centres = (0..bodies.len()).map(|i| start.centre(i));
         let reach = side(bounds(elements.points().map(|point| start.position(point)).chain(centres)));
-        let spans: Vec<Body> = (0..info.bodies.len()).map(|i| Body::new(i, &elements, start, reach)).collect();
+        let spans: Vec<Body> = (0..bodies.len()).map(|i| Body::new(i, &elements, start, reach)).collect();
         let usual = usual_length(&spans);
         let box_m = extent(&elements, &spans, start);
         let scale = match width {
@@ -96,7 +97,7 @@ impl Drawing {
         let mut order: Vec<usize> = (0..spans.len()).collect();
         order.sort_by(|&a, &b| spans[b].length.total_cmp(&spans[a].length));
         for i in order {
-            writer.body(i, &info.bodies[i], &spans[i]);
+            writer.body(i, &bodies[i], &spans[i]);
         }
         for (i, element) in elements.iter() {
             writer.between(i, element);
@@ -107,13 +108,8 @@ impl Drawing {
             writer.symbol(i, element);
         }
         if spans.len() <= MOST_CENTRES {
-            for i in 0..spans.len() {
-                writer.push(
-                    "centre",
-                    format!("centre of mass of {}", info.bodies[i]),
-                    Motion::Body(i),
-                    symbols::centre_of_mass(k),
-                );
+            for (i, body) in bodies.iter().enumerate() {
+                writer.push("centre", format!("centre of mass of {body}"), Motion::Body(i), symbols::centre_of_mass(k));
             }
         }
         let parts = writer.parts;

@@ -119,7 +119,8 @@ fn names(sheet: &mut Sheet, drawing: &Drawing, info: &SceneInfo, at: &Placed) {
             None => labels.push((place, element.name.to_string())),
         }
     }
-    let bodies = info.bodies.iter().enumerate().map(|(i, name)| (drawing.pixels(at.centre(i)), name.to_string()));
+    let bodies =
+        info.drawn_bodies().iter().enumerate().map(|(i, name)| (drawing.pixels(at.centre(i)), name.to_string()));
     labels.extend(bodies);
     if labels.len() > MOST_NAMES {
         return;

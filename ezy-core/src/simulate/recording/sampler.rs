@@ -42,7 +42,7 @@ impl<'s> Sampler<'s> {
             streamed,
             n_kept: 0,
             initial_energy: None,
-            a: vec![0.0; info.n_coordinates()],
+            a: vec![0.0; info.n_velocities()],
             wanted,
             outputs: vec![0.0; if wanted.outputs { info.n_outputs() } else { 0 }],
             lacking: None,

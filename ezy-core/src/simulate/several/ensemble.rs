@@ -60,12 +60,12 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         let systems = scenes.iter().map(|scene| System::new(scene, Backend::Generated));
         let systems: Vec<System<&S>> = systems.collect::<Result<_, _>>()?;
         let info = Arc::clone(systems[0].info());
-        let expected = info.n_coordinates();
         if let Some(start) = starts.iter().find(|start| start.z.len() != info.n_states()) {
             return Err(SetupError::StartLength { expected: info.n_states(), found: start.z.len() });
         }
-        let lengths = starts.iter().flat_map(|start| [start.q.len(), start.v.len()]);
-        if let Some(found) = lengths.into_iter().find(|n| *n != expected) {
+        let expected = [info.n_coordinates(), info.n_velocities()];
+        let lengths = starts.iter().flat_map(|start| [start.q.len(), start.v.len()].into_iter().zip(expected));
+        if let Some((found, expected)) = lengths.into_iter().find(|(n, expected)| n != expected) {
             return Err(SetupError::StartLength { expected, found });
         }
         let fixed = packed(from_fn(|lane| systems[lane].fixed()));

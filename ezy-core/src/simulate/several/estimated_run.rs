@@ -129,8 +129,7 @@ fn length_of_move(method: Method) -> f64 {
 
 /// A start beside `state`: each number moved by up to `by` of its size, by an amount of its own to one side or the other.
 pub(in crate::simulate) fn beside(state: &State, by: f64) -> Start {
-    let mut start = Start::free(state.q.len());
-    start.t = state.t;
+    let mut start = Start { t: state.t, ..Start::of(state.q.len(), state.v.len()) };
     let amounts = (1..).map(|i: u32| 2.0 * (f64::from(i) * GOLDEN_RATIO).fract() - 1.0);
     start.z.clone_from(&state.z);
     let numbers =

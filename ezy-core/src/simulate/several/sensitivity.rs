@@ -147,17 +147,17 @@ fn follow<P: SceneRef, const N: usize>(
 fn quantity(info: &SceneInfo, start: &Start, name: &str) -> Result<Quantity, SetupError> {
     let parameters = info.parameters.iter().map(|parameter| parameter.name);
     let positions = info.coordinates.iter().map(|c| &*c.name);
-    let velocities = info.coordinates.iter().map(|c| &*c.velocity_name);
+    let velocities = info.velocities.iter().map(|c| &*c.name);
     let states = info.states.iter().map(|state| state.name);
     let i = find_name("parameter or start value", name, parameters.chain(positions).chain(velocities).chain(states))?;
     let Some(i) = i.checked_sub(info.parameters.len()) else { return Ok(Quantity::Parameter(i)) };
     let n_q = info.n_coordinates();
-    if let Some(i) = i.checked_sub(2 * n_q) {
+    if let Some(i) = i.checked_sub(n_q + info.n_velocities()) {
         return Ok(Quantity::State(i));
     }
     let (quantity, given, name) = match i.checked_sub(n_q) {
         None => (Quantity::Position(i), start.q_given[i], &info.coordinates[i].name),
-        Some(i) => (Quantity::Velocity(i), start.v_given[i], &info.coordinates[i].velocity_name),
+        Some(i) => (Quantity::Velocity(i), start.v_given[i], &info.velocities[i].name),
     };
     if given { Ok(quantity) } else { Err(SetupError::NotGiven { name: name.clone() }) }
 }

@@ -183,6 +183,10 @@ impl<S: Scene + ?Sized> Dynamics<Eight> for Together<'_, S> {
         check_pivots(self.systems[0].info(), pivots, t)
     }
 
+    fn position_rates(&self, _q: &[Eight], v: &[Eight], out: &mut [Eight]) {
+        out.copy_from_slice(v);
+    }
+
     fn place_states(&mut self, _z: &[Eight]) {}
 
     fn state_rates(&self, _t: f64, _q: &[Eight], _v: &[Eight], _out: &mut [Eight]) {}

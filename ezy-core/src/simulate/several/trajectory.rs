@@ -16,6 +16,7 @@ pub(in crate::simulate) struct Trajectory<D, T> {
     tolerance: Option<Tolerance>,
     pub now: State<T>,
     next: State<T>,
+    q_rate: Vec<T>,
     a: Vec<T>,
     rate: Vec<T>,
     lambda: Vec<T>,
@@ -30,14 +31,15 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
         method: Method,
     ) -> Result<Self, SetupError> {
         SetupError::refuse_modes(&info)?;
+        SetupError::refuse_angles(&info, method.tolerance())?;
         let sizes = Sizes::new(&info, 0);
         let method = crate::simulate::checked::checked(method)?;
         let (step_s, tolerance) = (method.step_s(), method.tolerance());
         let integrator = method.kind().in_any_number(sizes, tolerance.unwrap_or(Tolerance::ANY));
         let integrator = integrator.ok_or(SetupError::SingleNumbers { method: method.name() })?;
-        let Sizes { n_q, n_c, n_z, .. } = sizes;
+        let Sizes { n_q, n_v, n_c, n_z, .. } = sizes;
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
-        let next = State::zeros(n_q, n_z, 0);
+        let next = State::zeros([n_q, n_v], n_z, 0);
         Ok(Self {
             system,
             info,
@@ -46,7 +48,8 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
             tolerance,
             now: start,
             next,
-            a: zeros(n_q),
+            q_rate: zeros(n_q),
+            a: zeros(n_v),
             rate: zeros(n_z),
             lambda: zeros(n_c),
         })
@@ -70,11 +73,12 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
 
     /// A step of length `h` to `t_next`; a method that chooses its steps may stop before.
     pub(in crate::simulate) fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        let Self { system, info, integrator, tolerance, now, next, a, rate, lambda, .. } = self;
+        let Self { system, info, integrator, tolerance, now, next, q_rate, a, rate, lambda, .. } = self;
         system.place_states(&now.z);
         system.accelerations(now.t, &now.q, &now.v, a, lambda)?;
         system.state_rates(now.t, &now.q, &now.v, rate);
-        let from = Node { state: now, a, rate, power: &[] };
+        system.position_rates(&now.q, &now.v, q_rate);
+        let from = Node { state: now, q_rate, a, rate, power: &[] };
         integrator.step(system, from, h, t_next, &mut Smooth, next)?;
         if let Some(quantity) = state_not_finite(info, next) {
             return Err(MotionError::NotFinite { t: now.t, quantity });

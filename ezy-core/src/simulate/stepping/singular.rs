@@ -108,9 +108,14 @@ impl Approach<'_> {
         (left <= VANISHES).then(|| Vanishing { within_s: way, nearest: left.max(0.0).sqrt() })
     }
 
-    /// Predicted positions at `s` from now, with accelerations extrapolated linearly.
+    /// Predicted positions at `s` from now, with accelerations extrapolated linearly; with constant rates where not all bodies are planar.
     fn foresee(&self, s: f64, q: &mut [f64]) {
         let Self { now, before } = self;
+        if !now.q_rate.is_empty() {
+            // the direction in which rows may come to depend on each other
+            q.iter_mut().zip(&now.state.q).zip(&now.q_rate).for_each(|((q, now), rate)| *q = now + s * rate);
+            return;
+        }
         let passed = now.state.t - before.state.t;
         let bend = if passed > 0.0 { s / (3.0 * passed) } else { 0.0 };
         for (i, q) in q.iter_mut().enumerate() {

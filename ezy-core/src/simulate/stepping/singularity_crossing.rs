@@ -63,12 +63,12 @@ pub(in crate::simulate) struct SingularityCrossing {
 impl SingularityCrossing {
     pub(in crate::simulate) fn new<P: SceneRef>(system: &System<P>, tolerance: Option<Tolerance>, work: bool) -> Self {
         let info = system.info();
-        let (n_q, end) = (info.n_coordinates(), Snapshot::zero(info, work));
+        let end = Snapshot::zero(info, work);
         let n_works = end.power.len();
         let wanted = tolerance.unwrap_or(Tolerance::new(OF_FIXED_STEPS, OF_FIXED_STEPS));
         Self {
             method: Dop853::new(Sizes::new(info, n_works)),
-            on_rows: State::zero(n_q, 0),
+            on_rows: State::zeros([info.n_coordinates(), info.n_velocities()], 0, 0),
             control: StepControl::new(DOP853_ERROR_ORDER),
             tolerance: wanted,
             chooses_steps: tolerance.is_some(),

@@ -8,6 +8,8 @@ use crate::model::{SceneInfo, SceneRef};
 /// A state with its accelerations, multipliers and powers.
 pub(in crate::simulate) struct Snapshot {
     pub state: State,
+    /// Rates of the coordinates; empty where all bodies are planar.
+    pub q_rate: Vec<f64>,
     pub a: Vec<f64>,
     pub lambda: Vec<f64>,
     /// Rates of the first-order states.
@@ -23,12 +25,13 @@ pub(in crate::simulate) struct Snapshot {
 impl Snapshot {
     /// Everything zero; without room for works and powers unless they are wanted.
     pub(in crate::simulate) fn zero(info: &SceneInfo, work: bool) -> Self {
-        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let [n_q, n_v, n_c] = [info.n_coordinates(), info.n_velocities(), info.n_rows()];
         let n_works = if work { info.n_effects() } else { 0 };
         Self {
-            state: State::zeros(n_q, info.n_states(), n_works),
+            state: State::zeros([n_q, n_v], info.n_states(), n_works),
             rate: vec![0.0; info.n_states()],
-            a: vec![0.0; n_q],
+            q_rate: vec![0.0; if info.is_planar() { 0 } else { n_q }],
+            a: vec![0.0; n_v],
             lambda: vec![0.0; n_c],
             power: vec![0.0; n_works],
             solved: Solved::default(),
@@ -38,9 +41,9 @@ impl Snapshot {
 
     /// Writes it, or reads another one over it.
     pub(in crate::simulate) fn remember(&mut self, archive: &mut Archive) {
-        let Self { state, a, lambda, rate, power, solved, end } = self;
+        let Self { state, q_rate, a, lambda, rate, power, solved, end } = self;
         state.remember(archive);
-        [a, lambda, rate, power].into_iter().for_each(|numbers| archive.numbers(numbers));
+        [q_rate, a, lambda, rate, power].into_iter().for_each(|numbers| archive.numbers(numbers));
         [solved, end].into_iter().for_each(|solved| solved.remember(archive));
     }
 
@@ -65,11 +68,15 @@ impl Snapshot {
         self.solved = solved;
         system.check_accelerations(*t, q, solved)?;
         system.state_rates(*t, q, v, &mut self.rate);
+        if !self.q_rate.is_empty() {
+            system.position_rates(q, v, &mut self.q_rate);
+        }
         system.power(*t, q, v, &self.lambda, &mut self.power);
         Ok(())
     }
 
     pub(in crate::simulate) fn node(&self) -> Node<'_> {
-        Node { state: &self.state, a: &self.a, rate: &self.rate, power: &self.power }
+        let q_rate = if self.q_rate.is_empty() { &self.state.v } else { &self.q_rate };
+        Node { state: &self.state, q_rate, a: &self.a, rate: &self.rate, power: &self.power }
     }
 }

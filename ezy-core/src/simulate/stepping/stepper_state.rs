@@ -450,11 +450,15 @@ fn integrator<P: SceneRef>(
     method: Method,
     n_works: usize,
 ) -> Result<Box<dyn Integrator<System<P>>>, SetupError> {
+    SetupError::refuse_angles(system.info(), method.tolerance())?;
     let made = method.kind().of_system(system, n_works, method.tolerance().unwrap_or(Tolerance::ANY))?;
     let info = system.info();
     made.ok_or(match method.info().needs {
         _ if info.n_states() > 0 && !method.info().takes_states => {
             SetupError::FirstOrderStates { scene: info.name, method: method.name() }
+        }
+        _ if !(info.is_planar() || method.info().takes_any_body) => {
+            SetupError::SpatialBodies { scene: info.name, method: method.name() }
         }
         Needs::Jacobians => SetupError::NoJacobians { scene: info.name },
         Needs::Series | Needs::Nothing => SetupError::NoSeries { scene: info.name, series: info.series },

@@ -15,7 +15,7 @@ pub enum Level {
     Clock,
     /// Time and positions.
     Position,
-    /// Velocities, too.
+    /// Velocities, or first-order states, too.
     Velocity,
 }
 

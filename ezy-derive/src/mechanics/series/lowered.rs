@@ -11,7 +11,7 @@ use crate::mechanics::constraints::Constraints;
 use crate::mechanics::symbols::Meaning;
 use crate::symbolic::interner::Interner;
 use crate::symbolic::lower::Lowering;
-use crate::symbolic::program::{NodeId, Program, Value};
+use crate::symbolic::program::{Node, NodeId, Program, Value};
 use crate::symbolic::{Algebra, SumId};
 
 /// A term of a matrix times a vector: an outer coefficient and the product that it multiplies.
@@ -30,6 +30,8 @@ pub struct Lowered {
     pub force: Vec<(usize, Value, Vec<Term>)>,
     /// h, then s.
     pub convective: Vec<Value>,
+    /// Rates of the first-order states.
+    pub rates: Vec<Value>,
 }
 
 /// The same as expressions.
@@ -38,14 +40,21 @@ pub struct Sums {
     velocity: Vec<(SumId, Vec<SumTerm>)>,
     force: Vec<(usize, SumId, Vec<SumTerm>)>,
     convective: Vec<SumId>,
+    rates: Vec<SumId>,
 }
 
 impl Sums {
-    /// Rows, and the forces on the coordinates that they or the rows touch.
-    pub fn new(algebra: &mut Algebra, constraints: Option<&Constraints>, force: &[(usize, SumId)]) -> Self {
+    /// Rows, the forces on the coordinates that they or the rows touch, and rates of first-order states.
+    pub fn new(
+        algebra: &mut Algebra,
+        constraints: Option<&Constraints>,
+        force: &[(usize, SumId)],
+        rates: &[SumId],
+    ) -> Self {
+        let rates = rates.to_vec();
         let Some(constraints) = constraints else {
             let force = force.iter().map(|&(i, force)| (i, force, Vec::new())).collect();
-            return Self { position: Vec::new(), velocity: Vec::new(), force, convective: Vec::new() };
+            return Self { position: Vec::new(), velocity: Vec::new(), force, convective: Vec::new(), rates };
         };
         let velocity_rows = constraints.n_position_rows..constraints.rows.len();
         let velocity = velocity_rows.map(|row| (constraints.drift[row], terms(algebra, &constraints.jacobian[row])));
@@ -60,7 +69,8 @@ impl Sums {
         }
         let of_coordinate = |(i, (force, column)): (usize, (SumId, Vec<_>))| (i, force, terms(algebra, &column));
         let force = touched.into_iter().map(of_coordinate).collect();
-        Self { position: constraints.position.clone(), velocity, force, convective: constraints.convective.clone() }
+        let (position, convective) = (constraints.position.clone(), constraints.convective.clone());
+        Self { position, velocity, force, convective, rates }
     }
 
     pub fn lower(&self, lowering: &mut Lowering<'_>) -> Lowered {
@@ -77,7 +87,8 @@ impl Sums {
             (*i, force, reaction.collect())
         });
         let force = force.collect();
-        Lowered { position, velocity, force, convective }
+        let rates = self.rates.iter().map(|&rate| lowering.lower(rate)).collect();
+        Lowered { position, velocity, force, convective, rates }
     }
 }
 
@@ -94,10 +105,16 @@ impl Lowered {
     ///
     /// # Errors
     /// A function that has no Taylor series.
-    pub fn step<'e>(&self, program: Program, symbols: &'e mut Symbols, slots: Slots) -> Result<Step<'e>, Function> {
+    pub fn step<'e>(&self, mut program: Program, symbols: &'e mut Symbols, slots: Slots) -> Result<Step<'e>, Function> {
+        let mut kept = Interner::default();
+        // whoever finds the rates keeps the states, before anything else
+        for state in symbols.states().take(self.rates.len()) {
+            kept.intern(program.leaf(Node::Input(state)).node);
+        }
         let level_of = |symbol| match symbols.meaning(symbol) {
             Meaning::Time => Level::Clock,
             Meaning::Coordinate(_) => Level::Position,
+            Meaning::Input(_) if symbols.state_of(symbol).is_some() => Level::Velocity,
             Meaning::Input(_) => Level::Fixed,
             Meaning::Velocity(_) | Meaning::Named(_) => Level::Velocity,
         };
@@ -108,7 +125,7 @@ impl Lowered {
             slots,
             products: Interner::default(),
             base: Interner::default(),
-            kept: Interner::default(),
+            kept,
             of_item: false,
         })
     }
@@ -119,6 +136,7 @@ impl Lowered {
         let factors = reactions.chain(rates).map(|term| term.product.left.node);
         let forces = self.force.iter().map(|(_, force, _)| force);
         let drift = self.velocity.iter().map(|(drift, _)| drift);
-        self.position.iter().chain(forces).chain(drift).map(|value| value.node).chain(factors).collect()
+        let values = self.position.iter().chain(forces).chain(drift).chain(&self.rates);
+        values.map(|value| value.node).chain(factors).collect()
     }
 }

@@ -1,6 +1,9 @@
 //! The Taylor series of a motion: the recurrences of all coefficients, from the expressions that everything else is
 //! derived from.
 //!
+//! A first-order state is like a velocity whose acceleration is its rate: z_{k+1} = ż_k / (k + 1) is known with the forces of order k, and forces of
+//! order k + 1 read it.
+//!
 //! At every order k the equations of motion are `[M G₀ᵀ; G₀ 0] [a_k; λ_k] = [f_k; r_k]`. What is emitted are four
 //! programs: values and factors at the start of a step, the right side of an order, its solution, and what follows from
 //! it. `ezy_core::__private::Series` says how they are called.
@@ -19,6 +22,7 @@ use crate::mechanics::kernels::{Entries, Pass, Slot};
 use crate::mechanics::scene::Equations;
 use crate::mechanics::solve::{self, Elimination, Written};
 use crate::mechanics::symbols::Symbols;
+use crate::model::{BodyId, Loop};
 use crate::symbolic::interner::Interner;
 use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::{Node, NodeId, Program, Value};
@@ -34,11 +38,11 @@ pub struct Series<'m> {
     /// Values at the start of a step. For it, what is one order ahead of k is of order 0. Its outputs past those that are
     /// put somewhere are pivots and their thresholds.
     pub begin: Pass<'m>,
-    /// f and r of order k.
+    /// f and r of order k, and order k + 1 of the first-order states.
     pub right_side: Pass<'m>,
     /// `None` without elimination: a and λ come from elsewhere.
     pub solution: Option<Solution<'m>>,
-    /// Order k + 2 of q, for a scene, and of what depends on positions and time.
+    /// Order k + 2 of q, for a scene, and of what depends on positions and time alone.
     pub finish: Pass<'m>,
 }
 
@@ -81,7 +85,7 @@ impl Series<'_> {
         let elimination =
             solve::is_worth_writing(equations).then(|| Elimination::of_right_side(equations, &force, &row));
         let force: Vec<_> = equations.force.iter().copied().enumerate().collect();
-        let sums = Sums::new(&mut equations.algebra, Some(&equations.constraints), &force);
+        let sums = Sums::new(&mut equations.algebra, Some(&equations.constraints), &force, &equations.rates);
         let mut extended = constants.clone();
         let mut lowering = Lowering::new(&equations.algebra, &mut extended);
         let lowered = sums.lower(&mut lowering);
@@ -93,7 +97,7 @@ impl Series<'_> {
         Ok(step.series(&lowered, n_q, n_c, written))
     }
 
-    /// Of an item of a scene with counts: its rows, or its force by coordinate.
+    /// Of an item of a scene with counts: its rows, or its force by coordinate, or the rates of all first-order states.
     ///
     /// # Errors
     /// A function that has no Taylor series.
@@ -103,8 +107,9 @@ impl Series<'_> {
         constants: &mut ConstantPool,
         constraints: Option<&Constraints>,
         force: &[(usize, SumId)],
+        rates: &[SumId],
     ) -> Result<Self, Function> {
-        let sums = Sums::new(algebra, constraints, force);
+        let sums = Sums::new(algebra, constraints, force, rates);
         let mut lowering = Lowering::new(algebra, constants);
         let lowered = sums.lower(&mut lowering);
         let program = lowering.program;
@@ -114,11 +119,20 @@ impl Series<'_> {
     }
 }
 
+impl<'m> Series<'m> {
+    /// For each member of an item.
+    pub fn of_members(self, loops: &'m [Loop], slots: &[BodyId]) -> Self {
+        let of_members = |pass| Pass { loops, slots: slots.to_vec(), ..pass };
+        let [begin, right_side, finish] = [self.begin, self.right_side, self.finish].map(of_members);
+        Self { begin, right_side, finish, ..self }
+    }
+}
+
 impl Step<'_> {
     /// All passes; q of order k + 2 is found for the first `n_q` coordinates.
     fn series<'m>(&mut self, lowered: &Lowered, n_q: usize, n_rows: usize, written: Option<Written>) -> Series<'m> {
         let right_side = orders::right_side(self, lowered);
-        let finish = orders::finish(self, 0..n_q);
+        let finish = orders::finish(self, lowered, 0..n_q);
         let solution = written.as_ref().map(|written| solution::pass(self, written));
         let pivots = written.map(|written| written.pivots).unwrap_or_default();
         let begin = orders::begin(self, lowered, &pivots);
@@ -151,7 +165,12 @@ impl Step<'_> {
         let node = self.source.program.node(id);
         let symbol = match node {
             Node::Constant(_) | Node::Literal(_) => return program.leaf(node.clone()),
-            Node::Input(symbol) if self.source.level(id) == Level::Fixed => *symbol,
+            // first-order states stand in `c`, too
+            Node::Input(symbol)
+                if self.source.level(id) == Level::Fixed || self.symbols.state_of(*symbol).is_some() =>
+            {
+                *symbol
+            }
             _ => {
                 let i = self.base.intern(id) as usize;
                 self.slots.symbol(self.symbols, Slot::Base(i))

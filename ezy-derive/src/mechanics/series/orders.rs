@@ -42,6 +42,7 @@ fn total(coefficients: &mut Coefficients<'_, '_>, terms: &[Term]) -> Value {
     total
 }
 
+/// z_{k+1} = ż_k / (k + 1), and
 /// f_k = F_k − Σ_{j≥1} G_jᵀ λ_{k−j}; r_k = −(k + 1)(k + 2) Ĉ_{k+2} or −(k + 1) (S v + s_t)^_{k+1}, with the unknown left out.
 pub fn right_side<'m>(step: &mut Step<'_>, lowered: &Lowered) -> Pass<'m> {
     let mut outputs = Outputs::default();
@@ -50,6 +51,11 @@ pub fn right_side<'m>(step: &mut Step<'_>, lowered: &Lowered) -> Pass<'m> {
         let (force, reaction) = (of.of_value(*force), total(&mut of, reaction));
         let value = of.program.sub(force, reaction);
         outputs.push(Slot::Force(*i), value);
+    }
+    for (i, rate) in lowered.rates.iter().enumerate() {
+        let (rate, inverse) = (of.of_value(*rate), of.input(Slot::InverseOrder(1)));
+        let value = of.program.mul(rate, inverse);
+        outputs.push(Slot::State(1, i), value);
     }
     let program = std::mem::take(&mut of.program);
     let mut of = Coefficients::within(step, Target::WithoutUnknown, program);
@@ -91,14 +97,15 @@ pub fn right_side<'m>(step: &mut Step<'_>, lowered: &Lowered) -> Pass<'m> {
 }
 
 /// Order k + 2 of `coordinates` and of what depends on positions.
-pub fn finish<'m>(step: &mut Step<'_>, coordinates: std::ops::Range<usize>) -> Pass<'m> {
+pub fn finish<'m>(step: &mut Step<'_>, lowered: &Lowered, coordinates: std::ops::Range<usize>) -> Pass<'m> {
     let mut outputs = Outputs::default();
     let mut of = Coefficients::new(step, Target::Position);
     for i in coordinates {
         let value = of.coordinate(i);
         outputs.push(Slot::Coordinate(2, i), value);
     }
-    let (mut i, mut k) = (0, 0);
+    // states, which are kept first, are known earlier
+    let (mut i, mut k) = (0, lowered.rates.len());
     while i < of.step.products.len() || k < of.step.kept.len() {
         if let Some(Product { left, right }) = of.step.products.values().get(i).cloned() {
             let right = match right {
@@ -171,7 +178,11 @@ pub fn begin<'m>(step: &mut Step<'_>, lowered: &Lowered, pivots: &[(Vec<usize>, 
         outputs.push(Slot::Left(2, i), left);
         outputs.push(Slot::Right(2, i), first);
     }
-    for (i, node) in kept.into_iter().enumerate() {
+    for (i, (&node, &rate)) in kept.iter().zip(&lowered.rates).enumerate() {
+        outputs.push(Slot::State(1, i), plus(node));
+        outputs.push(Slot::State(2, i), rate);
+    }
+    for (i, node) in kept.into_iter().enumerate().skip(lowered.rates.len()) {
         outputs.push(Slot::Kept(1, i), plus(node));
         let first = of.of(node);
         outputs.push(Slot::Kept(2, i), first);

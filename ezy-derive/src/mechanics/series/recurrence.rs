@@ -146,6 +146,10 @@ impl<'s, 'e> Coefficients<'s, 'e> {
                 let (order, q) = (self.input(Slot::Order(1)), self.input(Slot::Coordinate(1, i)));
                 self.program.mul(order, q)
             }
+            (Meaning::Input(_), Target::Velocity) => match self.step.symbols.state_of(symbol) {
+                Some(i) => self.input(Slot::State(0, i)),
+                None => self.program.literal(0.0),
+            },
             _ => self.program.literal(0.0),
         }
     }

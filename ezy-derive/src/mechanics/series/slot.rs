@@ -42,6 +42,7 @@ fn name(slot: Slot) -> String {
         Slot::Sum(i) => format!("convolved_{i}"),
         Slot::Kept(ahead, i) => format!("kept_{i}{}", order(ahead)),
         Slot::Coordinate(ahead, i) => format!("q_{i}{}", order(ahead)),
+        Slot::State(ahead, i) => format!("z_{i}{}", order(ahead)),
         Slot::Force(i) => format!("force_{i}"),
         Slot::Row(i) => format!("row_{i}"),
         Slot::Acceleration(i) => format!("a_{i}"),

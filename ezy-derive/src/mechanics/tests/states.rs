@@ -1,8 +1,9 @@
-//! First-order states: where they stand, their rates, and what scenes with states lack.
+//! First-order states: where they stand, their rates and Jacobians, and what scenes with states lack.
 
 use crate::diag::Diagnostics;
 use crate::function::Function;
-use crate::mechanics::derived::NoSeries;
+use crate::mechanics::derived::Form;
+use crate::mechanics::jacobians::JacobianEntry;
 use crate::mechanics::kernels::Quantity;
 use crate::mechanics::symbols::{Meaning, Symbols};
 use crate::mechanics::{Derived, Equations, EventKind};
@@ -93,27 +94,52 @@ fn analytic_feedback_is_that_of_rates_too() {
 }
 
 #[test]
-fn invariant_scenes_with_states_have_rates_but_neither_series_nor_jacobians() {
+fn invariant_scenes_with_states_have_rates_series_and_jacobians() {
     for counts in ["", "count n = 3; body link[n] { mass: 1, inertia: 1 } for i in 0..n { torque link[i]: 2; }"] {
         let last = if counts.is_empty() { "wheel" } else { "link[n-1]" };
-        for (items, has_states) in [(format!("state z: m = 0 rate {last}.vx;"), true), (String::new(), false)] {
+        let state = format!("state z: m = 0 rate {last}.vx; force at {last}(0, 0): (z * 2 (N/m), 0);");
+        for (items, has_states) in [(state, true), (String::new(), false)] {
             let model = resolved(&format!("{counts} {items}"));
             let derived = Derived::new(&model, &model.scenes[0]);
             let has = |quantity| derived.kernels.contains_key(&quantity);
             assert_eq!(has(Quantity::StateRates), has_states, "{counts}");
-            assert_eq!((has(Quantity::SeriesBegin), has(Quantity::Jacobians)), (!has_states, !has_states), "{counts}");
-            assert_eq!(derived.series.err(), has_states.then_some(NoSeries::States), "{counts}");
+            assert_eq!((has(Quantity::SeriesBegin), has(Quantity::Jacobians)), (true, true), "{counts}");
+            assert_eq!(has(Quantity::StateJacobians), has_states, "{counts}");
+            assert_eq!(derived.series, Ok(()), "{counts}");
         }
     }
 }
 
-/// The reason that is named is the one that no other law can remove.
+/// Of a scene with one body and one row, rows of rates stand behind those of the body and of the row.
 #[test]
-fn analytic_states_are_named_before_functions_without_series() {
+fn analytic_jacobians_by_states_are_those_of_forces_and_rates() {
+    let model = resolved(
+        "constraint upright: wheel.phi = 0; param f: 1/s = 3; state still: m = 0 rate 1 m/s; \
+         state z: m = 0 rate wheel.vx - f*z + f*sin(wheel.y/(1 m))*still; force at wheel(0, 0): (0, z * 2 (N/m));",
+    );
+    let derived = Derived::new(&model, &model.scenes[0]);
+    let Form::Straight(of) = &derived.form else { panic!("its bodies are known") };
+    let jacobians = of.jacobians.as_ref().expect("they are short");
+    let places = |entries: &[JacobianEntry]| entries.iter().map(|of| (of.row, of.column)).collect::<Vec<_>>();
+    let of_rates =
+        |entries: &[JacobianEntry]| places(entries).into_iter().filter(|(row, _)| *row >= 4).collect::<Vec<_>>();
+    assert_eq!(places(&jacobians.by_z), [(1, 1), (5, 0), (5, 1)]);
+    assert_eq!((of_rates(&jacobians.by_q), of_rates(&jacobians.by_v)), (vec![(5, 1)], vec![(5, 0)]));
+    let motion = Motion { symbols: &of.equations.symbols, parameters: vec![3.0], inputs: &[0.5, 0.7], omega: 0.0 };
+    let values: Vec<f64> =
+        jacobians.by_z.iter().map(|of_z| of.equations.algebra.evaluate(of_z.value, &motion)).collect();
+    assert_eq!(values, [2.0, 0.0, -3.0]);
+}
+
+/// Those of forces, of rates, and of what forces make of states, which vary within a step.
+#[test]
+fn analytic_functions_without_series_are_named() {
     let series = |items: &str| {
         let model = resolved(items);
         Derived::new(&model, &model.scenes[0]).series.err()
     };
-    assert_eq!(series("torque wheel: abs(wheel.phi) * 2 (N*m);"), Some(NoSeries::Function(Function::Abs)));
-    assert_eq!(series("state z = 0 rate 1; torque wheel: abs(z) * 2 (N*m);"), Some(NoSeries::States));
+    assert_eq!(series("torque wheel: abs(wheel.phi) * 2 (N*m);"), Some(Function::Abs));
+    assert_eq!(series("state z = 0 rate 1 (1/s); torque wheel: abs(z) * 2 (N*m);"), Some(Function::Abs));
+    assert_eq!(series("state z: m = 0 rate max(wheel.vx, 0);"), Some(Function::Max));
+    assert_eq!(series("input u: m/s = 0; state z: m = 0 rate max(u, 0);"), None);
 }

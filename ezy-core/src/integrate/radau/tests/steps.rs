@@ -46,7 +46,7 @@ impl<'s> Tried<'s> {
 
     fn attempt(&mut self, h: f64) {
         let Self { system, radau, from, a, power, to, .. } = self;
-        let from = Node { state: from, a, rate: &[], power };
+        let from = Node { state: from, q_rate: &from.v, a, rate: &[], power };
         let Attempt::Solved { error, n_passes } = radau.attempt(system, from, h, TOLERANCE, to).unwrap() else {
             panic!("a linear equation is solved at once")
         };
@@ -55,7 +55,8 @@ impl<'s> Tried<'s> {
 
     /// Filtered and unfiltered.
     fn estimate(&mut self, h: f64) -> (f64, f64) {
-        self.radau.estimate(Node { state: &self.from, a: &self.a, rate: &[], power: &self.power }, h)
+        self.radau
+            .estimate(Node { state: &self.from, q_rate: &self.from.v, a: &self.a, rate: &[], power: &self.power }, h)
     }
 
     fn second_look(&mut self, h: f64, estimate: f64) -> f64 {
@@ -107,7 +108,7 @@ fn analytic_estimate_is_the_missing_slope_at_the_start_filtered() {
         (h * tried.power[0] + (0..3).map(|i| START_SLOPE[i] * tried.radau.stages.work[i][0]).sum::<f64>()) / GAMMA;
     assert!((tried.radau.error.work[0] / work - 1.0).abs() <= ROUNDING && work != 0.0, "{work}");
     // the Jacobians at the end are those at the start
-    let from = Node { state: &tried.from, a: &tried.a, rate: &[], power: &tried.power };
+    let from = Node { state: &tried.from, q_rate: &tried.from.v, a: &tried.a, rate: &[], power: &tried.power };
     let n_factored = tried.system.counters().factorizations;
     let at_end = tried.radau.estimate_at_end(&mut tried.system, from, h, &tried.to);
     assert!((at_end / filtered - 1.0).abs() <= ROUNDING, "{at_end} {filtered}");
@@ -123,7 +124,7 @@ fn analytic_estimate_with_a_singular_matrix_is_infinite() {
     let mut tried = Tried::new(&scene, h);
     let singular = free::Swings { k: 0.0, c: -M * mu };
     let mut system = System::new(&singular, Backend::Auto).unwrap();
-    let from = Node { state: &tried.from, a: &tried.a, rate: &[], power: &tried.power };
+    let from = Node { state: &tried.from, q_rate: &tried.from.v, a: &tried.a, rate: &[], power: &tried.power };
     assert_eq!(tried.radau.estimate_at_end(&mut system, from, h, &tried.to), f64::INFINITY);
     assert!(tried.radau.estimate_at_end(&mut tried.system, from, h, &tried.to) < 1e9);
 }
@@ -205,7 +206,7 @@ fn analytic_first_step_is_a_part_of_the_time_of_change() {
     let mut tried = Tried::new(&scene, 0.01);
     let first = |longest: f64, tried: &mut Tried<'_>| {
         tried.radau.first_step(
-            Node { state: &tried.from, a: &tried.a, rate: &[], power: &tried.power },
+            Node { state: &tried.from, q_rate: &tried.from.v, a: &tried.a, rate: &[], power: &tried.power },
             longest,
             TOLERANCE,
         )

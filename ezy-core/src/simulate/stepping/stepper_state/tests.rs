@@ -71,39 +71,67 @@ fn analytic_steps_creep_next_to_a_flat_position() {
     }
 }
 
-/// By every method, after each of some steps, over the flat position at 0.3 s: another one goes on with the same bits.
+crate::model! {
+    /// A pendulum that a motor turns, with the current of its coil.
+    pub model Charged {
+        body rod { mass: 1, inertia: 0.2 }
+        hinge pin: ground(0, 0) ~ rod(-0.4, 0);
+        gravity (0, -9.81);
+        state current: A = 0.3 rate 4 (A/s)*cos(rod.phi) - 2 (1/s)*current - 0.5 (A/rad)*rod.omega;
+        torque rod: 2 (N*m/A)*current;
+        start aside { rod angle 0.5; at rest; }
+        scene swings { start aside; until 2 s; }
+    }
+}
+
+/// After each of some steps: another one goes on with the same bits.
+fn goes_on_to_the_last_bit<S: crate::model::Scene>(scene: &S, start: &State, kind: MethodKind) {
+    let method = kind.with_step(0.01).or(kind.with_tolerance(Tolerance::new(1e-7, 1e-7))).unwrap();
+    let new = || {
+        let system = System::new(scene, Backend::Auto).unwrap();
+        StepperState::new(system, method, Projection::Both, Metric::Mass, true).unwrap()
+    };
+    let mut first = new();
+    first.place(start);
+    first.evaluate_now().unwrap();
+    let step = |stepper: &mut StepperState<_>| {
+        let now = stepper.now.state.t;
+        stepper.advance(0.01, if stepper.chooses_steps() { 3.0 } else { now + 0.01 }).unwrap();
+        stepper.evaluate_next().unwrap();
+        stepper.accept();
+        (stepper.now.state.clone(), stepper.n_rejected())
+    };
+    for n in 0..60 {
+        let mut archive = Archive::new();
+        first.remember(&mut archive).unwrap();
+        let (numbers, scalars) = archive.into_parts();
+        let (mut other, mut archive) = (new(), Archive::of(numbers, scalars));
+        other.remember(&mut archive).unwrap();
+        assert!(archive.is_read_whole(), "{kind:?}");
+        let one = step(&mut first);
+        assert_eq!(one, step(&mut other), "{kind:?}, step {n}");
+        assert_eq!(step(&mut first), step(&mut other), "{kind:?}, behind step {n}");
+        if one.0.t > 2.0 {
+            break;
+        }
+    }
+    assert!(first.now.state.z.iter().zip(&start.z).all(|(z, start)| z != start), "{kind:?}");
+}
+
+/// By every method, over the flat position at 0.3 s.
 #[test]
 fn invariant_what_is_remembered_goes_on_to_the_last_bit() {
     let scene = parallelogram::Turns::default();
-    for kind in MethodKind::ALL {
-        let method = kind.with_step(0.01).or(kind.with_tolerance(Tolerance::new(1e-7, 1e-7))).unwrap();
-        let new = || {
-            let system = System::new(&scene, Backend::Auto).unwrap();
-            StepperState::new(system, method, Projection::Both, Metric::Mass, true).unwrap()
-        };
-        let mut first = new();
-        first.place(&at(&scene, -0.3).now.state);
-        first.evaluate_now().unwrap();
-        let step = |stepper: &mut StepperState<_>| {
-            let now = stepper.now.state.t;
-            stepper.advance(0.01, if stepper.chooses_steps() { 3.0 } else { now + 0.01 }).unwrap();
-            stepper.evaluate_next().unwrap();
-            stepper.accept();
-            (stepper.now.state.clone(), stepper.n_rejected())
-        };
-        for n in 0..60 {
-            let mut archive = Archive::new();
-            first.remember(&mut archive).unwrap();
-            let (numbers, scalars) = archive.into_parts();
-            let (mut other, mut archive) = (new(), Archive::of(numbers, scalars));
-            other.remember(&mut archive).unwrap();
-            assert!(archive.is_read_whole(), "{kind:?}");
-            let one = step(&mut first);
-            assert_eq!(one, step(&mut other), "{kind:?}, step {n}");
-            assert_eq!(step(&mut first), step(&mut other), "{kind:?}, behind step {n}");
-            if one.0.t > 2.0 {
-                break;
-            }
-        }
-    }
+    let start = at(&scene, -0.3).now.state;
+    MethodKind::ALL.iter().copied().for_each(|kind| goes_on_to_the_last_bit(&scene, &start, kind));
+}
+
+/// By every method that integrates them.
+#[test]
+fn invariant_remembered_first_order_states_go_on_to_the_last_bit() {
+    let scene = charged::Swings::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let start = system.consistent_start(&system.scene_start()).unwrap();
+    let takes_states = |kind: &MethodKind| kind.info().takes_states;
+    MethodKind::ALL.iter().copied().filter(takes_states).for_each(|kind| goes_on_to_the_last_bit(&scene, &start, kind));
 }

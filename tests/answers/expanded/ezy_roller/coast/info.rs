@@ -44,93 +44,116 @@ impl Coast {
         bodies: ezy::List::Borrowed(
             &[ezy::Name::Borrowed("seat"), ezy::Name::Borrowed("bar")],
         ),
+        kinds: ezy::List::Borrowed(&[]),
         coordinates: ezy::List::Borrowed(
             &[
                 ezy::CoordinateInfo {
                     name: ezy::Name::Borrowed("seat.x"),
-                    velocity_name: ezy::Name::Borrowed("seat.vx"),
                     unit: "m",
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "seat.x",
                         latex: "x_{\\mathrm{seat}}",
                         mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub></mrow>",
                     }),
-                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
-                        text: "seat.vx",
-                        latex: "\\dot{x}_{\\mathrm{seat}}",
-                        mathml: "<mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
-                    }),
                 },
                 ezy::CoordinateInfo {
                     name: ezy::Name::Borrowed("seat.y"),
-                    velocity_name: ezy::Name::Borrowed("seat.vy"),
                     unit: "m",
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "seat.y",
                         latex: "y_{\\mathrm{seat}}",
                         mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub></mrow>",
                     }),
-                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
-                        text: "seat.vy",
-                        latex: "\\dot{y}_{\\mathrm{seat}}",
-                        mathml: "<mrow><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
-                    }),
                 },
                 ezy::CoordinateInfo {
                     name: ezy::Name::Borrowed("seat.phi"),
-                    velocity_name: ezy::Name::Borrowed("seat.omega"),
                     unit: "rad",
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "seat.phi",
                         latex: "\\varphi_{\\mathrm{seat}}",
                         mathml: "<mrow><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow>",
                     }),
-                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
-                        text: "seat.omega",
-                        latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
-                        mathml: "<mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
-                    }),
                 },
                 ezy::CoordinateInfo {
                     name: ezy::Name::Borrowed("bar.x"),
-                    velocity_name: ezy::Name::Borrowed("bar.vx"),
                     unit: "m",
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.x",
                         latex: "x_{\\mathrm{bar}}",
                         mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub></mrow>",
                     }),
-                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
-                        text: "bar.vx",
-                        latex: "\\dot{x}_{\\mathrm{bar}}",
-                        mathml: "<mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow>",
-                    }),
                 },
                 ezy::CoordinateInfo {
                     name: ezy::Name::Borrowed("bar.y"),
-                    velocity_name: ezy::Name::Borrowed("bar.vy"),
                     unit: "m",
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.y",
                         latex: "y_{\\mathrm{bar}}",
                         mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub></mrow>",
                     }),
-                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
-                        text: "bar.vy",
-                        latex: "\\dot{y}_{\\mathrm{bar}}",
-                        mathml: "<mrow><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow>",
-                    }),
                 },
                 ezy::CoordinateInfo {
                     name: ezy::Name::Borrowed("bar.phi"),
-                    velocity_name: ezy::Name::Borrowed("bar.omega"),
                     unit: "rad",
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.phi",
                         latex: "\\varphi_{\\mathrm{bar}}",
                         mathml: "<mrow><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow>",
                     }),
-                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
+                },
+            ],
+        ),
+        velocities: ezy::List::Borrowed(
+            &[
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("seat.vx"),
+                    unit: "m/s",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "seat.vx",
+                        latex: "\\dot{x}_{\\mathrm{seat}}",
+                        mathml: "<mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
+                    }),
+                },
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("seat.vy"),
+                    unit: "m/s",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "seat.vy",
+                        latex: "\\dot{y}_{\\mathrm{seat}}",
+                        mathml: "<mrow><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
+                    }),
+                },
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("seat.omega"),
+                    unit: "rad/s",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "seat.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
+                        mathml: "<mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
+                    }),
+                },
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("bar.vx"),
+                    unit: "m/s",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "bar.vx",
+                        latex: "\\dot{x}_{\\mathrm{bar}}",
+                        mathml: "<mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow>",
+                    }),
+                },
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("bar.vy"),
+                    unit: "m/s",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "bar.vy",
+                        latex: "\\dot{y}_{\\mathrm{bar}}",
+                        mathml: "<mrow><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow>",
+                    }),
+                },
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("bar.omega"),
+                    unit: "rad/s",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
                         mathml: "<mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow>",

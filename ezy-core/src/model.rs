@@ -404,6 +404,12 @@ impl SceneInfo {
         self.inputs.len()
     }
 
+    /// Places of value, rate and time of the input at `first`, which a run integrates; between rate and time stands its acceleration.
+    pub(crate) const fn integrated_places(first: usize) -> [usize; 3] {
+        const SINCE: usize = 3;
+        [first, first + 1, first + SINCE]
+    }
+
     /// n_z.
     pub const fn n_states(&self) -> usize {
         self.states.len()

@@ -2,8 +2,7 @@
 //! compute s + ṡ τ + s̈ τ²/2 with τ = t − t₀, so that the constraints have a rate and an acceleration.
 
 use super::System;
-use super::system::SINCE;
-use crate::model::SceneRef;
+use crate::model::{SceneInfo, SceneRef};
 
 /// An input that a run integrates was set beside its motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,8 +19,9 @@ impl<P: SceneRef> System<P> {
     /// Lets integrated inputs move from `t` on, with the present values and rates.
     pub(crate) fn begin_inputs(&mut self, t: f64) {
         for (&i, integrated) in self.info.integrated_inputs.iter().zip(&mut self.integrated) {
-            self.fixed[i + SINCE] = t;
-            *integrated = [self.fixed[i], self.fixed[i + 1], t];
+            let [value, rate, since] = SceneInfo::integrated_places(i);
+            self.fixed[since] = t;
+            *integrated = [self.fixed[value], self.fixed[rate], t];
         }
     }
 
@@ -44,15 +44,17 @@ impl<P: SceneRef> System<P> {
         self.factors.forget();
         for (&i, integrated) in self.info.integrated_inputs.iter().zip(&mut self.integrated) {
             *integrated = at(t, &self.fixed, i);
-            let [value, rate, since] = *integrated;
-            (self.fixed[i], self.fixed[i + 1], self.fixed[i + SINCE]) = (value, rate, since);
+            SceneInfo::integrated_places(i)
+                .iter()
+                .zip(&*integrated)
+                .for_each(|(&place, part)| self.fixed[place] = *part);
         }
     }
 
     /// The first integrated input whose value, rate or time was set to something else than its motion.
     pub(crate) fn jump(&self) -> Option<Jump> {
         let inputs = self.info.integrated_inputs.iter().zip(&self.integrated);
-        let parts = inputs.flat_map(|(&i, integrated)| [i, i + 1, i + SINCE].into_iter().zip(*integrated));
+        let parts = inputs.flat_map(|(&i, integrated)| SceneInfo::integrated_places(i).into_iter().zip(*integrated));
         let mut parts = parts.map(|(index, is)| Jump { index, is, set: self.fixed[index] });
         parts.find(|jump| jump.is != jump.set)
     }
@@ -61,7 +63,8 @@ impl<P: SceneRef> System<P> {
     pub(crate) fn inputs_at(&self, t: f64, out: &mut [f64]) {
         out.copy_from_slice(self.inputs());
         for &i in self.info.integrated_inputs {
-            [out[i], out[i + 1], out[i + SINCE]] = at(t, &self.fixed, i);
+            let parts = at(t, &self.fixed, i);
+            SceneInfo::integrated_places(i).iter().zip(parts).for_each(|(&place, part)| out[place] = part);
         }
     }
 

@@ -1,8 +1,9 @@
 //! What moves a scene hardest at one state: for messages about runs that cannot be continued.
 
 use super::System;
-use crate::model::{Equations as _, Name, SceneRef};
+use crate::model::{Equations as _, Name, SceneRef, body_kind};
 use std::f64::consts::SQRT_2;
+use std::sync::Arc;
 
 /// The coordinate with the largest acceleration at one state and what causes it, both in the metric of the masses.
 ///
@@ -70,15 +71,18 @@ impl<P: SceneRef> System<P> {
         let accelerations = || (0..a.len()).map(|i| root(i) * a[i].abs());
         let forces = || applied.iter().enumerate().map(|(i, force)| force.abs() / root(i));
         let (i, _) = largest(accelerations())?;
+        let info = Arc::clone(&self.info);
+        let moved = body_kind::coordinates_moved(&info.kinds, a.len());
+        let coordinate = |i: usize| info.coordinates[moved[i]].name.clone();
         let source = match largest(forces()) {
             Some((j, _)) if SQRT_2 * norm(forces()) >= norm(accelerations()) => {
                 let effect = self.busiest_effect(t, q, v, lambda);
-                StrainSource::Applied { coordinate: self.info.coordinates[j].name.clone(), force: applied[j], effect }
+                StrainSource::Applied { coordinate: coordinate(j), force: applied[j], effect }
             }
             _ => self.largest_reaction(t, q, i, lambda)?,
         };
-        let coordinate = &self.info.coordinates[i];
-        Some(Strain { coordinate: coordinate.name.clone(), acceleration: a[i], unit: coordinate.unit, source })
+        let unit = if self.geometry.turns[i] { "rad" } else { "m" };
+        Some(Strain { coordinate: coordinate(i), acceleration: a[i], unit, source })
     }
 
     /// On coordinate `i`; none without rows.

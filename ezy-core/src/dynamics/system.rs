@@ -10,9 +10,6 @@ use crate::model::body_kind;
 use crate::model::{Equations as _, Name, Scene as _, SceneInfo, SceneRef, Start};
 use std::sync::Arc;
 
-/// Place of the time t₀ of an input that a run integrates, behind its value, rate and acceleration.
-pub(super) const SINCE: usize = 3;
-
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
 ///
 /// ```text
@@ -85,7 +82,8 @@ impl<P: SceneRef> System<P> {
         let mut fixed = vec![0.0; info.n_fixed()];
         let declared = info.inputs.iter().chain(info.states);
         fixed.iter_mut().zip(declared).for_each(|(value, declared)| *value = declared.default);
-        let integrated = info.integrated_inputs.iter().map(|&i| [fixed[i], fixed[i + 1], fixed[i + SINCE]]).collect();
+        let integrated =
+            info.integrated_inputs.iter().map(|&i| SceneInfo::integrated_places(i).map(|place| fixed[place])).collect();
         scene.constants(parameters, &mut fixed);
         let [n_q, n_v, n_c] = [info.n_coordinates(), info.n_velocities(), info.n_rows()];
         let mut mass = vec![0.0; n_v];

@@ -233,7 +233,7 @@ impl Settings {
 
 /// Value and rate of an input by acceleration follow from where they start.
 fn refuse_integrated(info: &SceneInfo, i: usize) -> Result<(), SetupError> {
-    let first = info.integrated_inputs.iter().find(|first| [**first, **first + 1, **first + 3].contains(&i));
+    let first = info.integrated_inputs.iter().find(|first| SceneInfo::integrated_places(**first).contains(&i));
     match first {
         Some(&first) => Err(SetupError::IntegratedInput { name: info.inputs[i].name, input: info.inputs[first].name }),
         None => Ok(()),

@@ -118,7 +118,7 @@ pub fn read_inputs(file: impl Read, info: &SceneInfo) -> Result<Vec<(String, Inp
 
 /// Whether a run integrated the input, so that its start says all.
 fn is_integrated(info: &SceneInfo, name: &str) -> bool {
-    let parts = info.integrated_inputs.iter().flat_map(|first| [*first, first + 1, first + 3]);
+    let parts = info.integrated_inputs.iter().flat_map(|first| SceneInfo::integrated_places(*first));
     parts.into_iter().any(|i| info.inputs[i].name == name)
 }
 

@@ -36,7 +36,7 @@ impl<P: SceneRef> System<P> {
     /// ([`Start::give_way`]) and the rows cannot be met with them; the others move as little as possible in the mass matrix,
     /// positions by Gauss–Newton, then velocities by a linear solve: `(v − v₀)ᵀ M (v − v₀)` is smallest, also where rows
     /// repeat each other. A start that is consistent already (1e-12 of the sizes of the rows) is not touched; what is
-    /// assembled goes on to rounding. A pass turns no body by more than 0.2 rad, so that elbows of loops stay on the side of
+    /// assembled goes on to rounding. Quaternions are brought to unit length. A pass turns no body by more than 0.2 rad, so that elbows of loops stay on the side of
     /// the guess, and of near values centres give way before angles. From a guess whose symmetry hides where to go (all bars of a loop in one line) the search goes on a little
     /// beside it, at places that are the same each time.
     ///

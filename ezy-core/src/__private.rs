@@ -1,5 +1,6 @@
 //! What the code calls that `model!` emits. No part of the interface: it changes with the macro.
 
+pub use crate::__access_to_derivatives as access_to_derivatives;
 pub use crate::__faulty_model as faulty_model;
 pub use crate::kernel::{array, array_mut, row, row_mut, sign};
 pub use crate::layout::{Bodies, Known, Layout, member};
@@ -10,6 +11,8 @@ pub use crate::model::named_outputs::OutputReader;
 pub use crate::model::pivots::{PIVOT_TOLERANCE, Pivots};
 pub use crate::model::repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use crate::model::series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
+#[cfg(feature = "analysis")]
+pub use crate::model::with_derivatives::EquationsWithDerivatives;
 pub use crate::model::{
     Abbreviation, BodyArray, BodyState, CoordinateInfo, CountInfo, Derived, Direction, EffectInfo, ElementInfo,
     EliminationStep, Equation, Equations, EventInfo, EventKind, Formula, InputInfo, JacobianPlaces, List, LoadKind,

@@ -77,7 +77,6 @@ macro_rules! __faulty_model {
                         f64::NAN
                     }
                     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {}
-                    fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
                 }
 
                 impl $crate::__private::NamedScene for $scene {

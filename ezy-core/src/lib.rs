@@ -49,6 +49,8 @@
 //! - [`accuracy`] measures what accuracy costs; [`simulate::Ensemble`] runs many scenes at once; [`simulate::Sensitivities`] gives
 //!   derivatives of a run.
 //! - With the feature `sweep`, `sweep` runs thousands of cases on all cores, into files that survive a kill.
+//! - With the feature `analysis`, `dynamics::Gradients` gives exact derivatives of the equations of motion, of the rows and of the
+//!   outputs by positions, velocities, first-order states, inputs and parameters.
 //! - With the feature `optimise`, `optimise::Fit` finds parameters from measurements and `optimise::Search` the best ones.
 //! - [`report`] prints equations, tables and, with the feature `figures`, plots; [`report::drawing`] draws the mechanism.
 //! - [`dynamics::System`] answers for one state: accelerations, multipliers, projections, energies.
@@ -64,6 +66,7 @@
 
 #[doc(hidden)]
 pub mod __private;
+mod access_to_derivatives;
 pub mod accuracy;
 mod archive;
 #[cfg(feature = "cli")]

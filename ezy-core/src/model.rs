@@ -22,6 +22,8 @@ pub(crate) mod named_outputs;
 pub(crate) mod pivots;
 pub(crate) mod repeats;
 pub(crate) mod series;
+#[cfg(feature = "analysis")]
+pub(crate) mod with_derivatives;
 
 pub use body_kind::{BodyKind, Component};
 pub use derived::{Derived, JacobianPlaces};
@@ -47,6 +49,10 @@ pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
 use std::borrow::Cow;
 use std::ops::Deref;
 use std::sync::Arc;
+#[cfg(feature = "analysis")]
+pub(crate) use with_derivatives::N_DERIVATIVES;
+#[cfg(feature = "analysis")]
+pub use with_derivatives::{Derivatives, EquationsWithDerivatives};
 
 /// A name: text of the program, or made at run time for a member of an array. It prints as text and compares with `"x"`.
 pub type Name = Cow<'static, str>;
@@ -293,6 +299,9 @@ pub struct SceneInfo {
     pub stick_slip: Option<&'static StickSlipInfo>,
     /// The stop (unilateral contact), if there is one.
     pub stop: Option<&'static StopInfo>,
+    /// Numbers that say which row of these holds, as they are at the start: 1 while it holds, else 0; then its side: 1 for a skate that
+    /// slides to the left and for the lower end of a stop, -1 to the right and for the upper end. None without such a row.
+    pub switches: &'static [f64],
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
     /// some; then the effects; then the constraints that move with time, under the name `drives`, when there are some; last
     /// the impacts on the stop, under the name `stops`, where there is one.
@@ -333,11 +342,43 @@ pub struct SceneInfo {
     pub repeats: Option<Repeats>,
 }
 
+/// What the switches of a skate say.
+#[cfg(feature = "cli")]
+const SWITCHES_OF_SKATE: [&str; 2] =
+    ["1 while it holds, 0 while it slides", "1 while it slides to the left of its direction, -1 to the right, else 0"];
+/// What those of a stop say.
+#[cfg(feature = "cli")]
+const SWITCHES_OF_STOP: [&str; 2] = ["1 while it holds, 0 while it is open", "1 at the lower end, -1 at the upper one"];
+
 impl SceneInfo {
     /// Whether [`Equations::accelerations`] and [`Equations::correction`] solve: not in scenes with counts, nor where more
     /// than 24 rows meet in one body, for which rustc takes minutes.
     pub fn has_elimination(&self) -> bool {
         self.repeats.is_none() && (self.rows.is_empty() || !self.elimination.is_empty())
+    }
+
+    /// Names that equations have for [`SceneInfo::switches`], and what they say; without the side of a stop with one end, which nothing reads.
+    #[cfg(feature = "cli")]
+    pub(crate) fn switch_names(&self) -> Vec<(String, &'static str)> {
+        let (name, said) = match (self.stick_slip, self.stop) {
+            (Some(skate), _) => (skate.name, SWITCHES_OF_SKATE),
+            (_, Some(stop)) => (stop.name, SWITCHES_OF_STOP),
+            _ => return Vec::new(),
+        };
+        let n = if self.stop.is_some_and(|stop| stop.sides.len() == 1) { 1 } else { 2 };
+        ["holds", "side"].iter().zip(said).take(n).map(|(suffix, said)| (format!("{name}_{suffix}"), said)).collect()
+    }
+
+    /// How many position constraints, and how many rows, hold at the start.
+    #[cfg(feature = "cli")]
+    pub(crate) fn n_rows_at_start(&self) -> [usize; 2] {
+        let off = self.switched_row().filter(|_| self.switches.first() == Some(&0.0));
+        [self.n_position_rows, self.n_rows()].map(|n| n - usize::from(off.is_some_and(|row| row < n)))
+    }
+
+    /// The row that [`SceneInfo::switches`] tell of.
+    pub(crate) fn switched_row(&self) -> Option<usize> {
+        self.stick_slip.map(|skate| skate.row).or(self.stop.map(|stop| stop.row))
     }
 
     /// The counts, in declared order.
@@ -557,9 +598,10 @@ pub trait Scene: Derived {
     /// Changes parameter `index`; constants computed before are then out of date.
     fn set_parameter(&mut self, index: usize, value: f64);
 
-    /// Present values of [`SceneInfo::parameters`], for [`Equations::constants`].
+    /// Present values of [`SceneInfo::parameters`], then [`SceneInfo::switches`], for [`Equations::constants`].
     fn parameters(&self) -> Vec<f64> {
-        (0..self.info().parameters.len()).map(|i| self.parameter(i)).collect()
+        let info = self.info();
+        (0..info.parameters.len()).map(|i| self.parameter(i)).chain(info.switches.iter().copied()).collect()
     }
 
     /// Start values of the scene.
@@ -574,9 +616,6 @@ pub trait Scene: Derived {
 
     /// Positions of the named points, x then y of each. Writes `2 n_p`.
     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]);
-
-    /// Outputs, each in its unit. Writes `n_o`.
-    fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
 }
 
 /// A scene that is borrowed or shared: `&S`, `Arc<S>`, `Arc<dyn Scene>`, `Rc<S>`. What holds an `Arc` lives as long as it likes.

@@ -86,6 +86,11 @@ impl Equations<f64> for Crank {
         out.fill(0.0);
     }
 
+    fn outputs(&self, _c: &[f64], _t: f64, q: &[f64], _v: &[f64], out: &mut [f64]) {
+        self.outputs.fetch_add(1, Relaxed);
+        out[0] = q[1];
+    }
+
     /// Kinematics alone: a from the rows, then λ from M a + Gᵀ λ = 0.
     fn accelerations(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Pivots {
         let mut h = [0.0; 3];
@@ -132,11 +137,6 @@ impl Scene for Crank {
     }
 
     fn points(&self, _c: &[f64], _t: f64, _q: &[f64], _out: &mut [f64]) {}
-
-    fn outputs(&self, _c: &[f64], _t: f64, q: &[f64], _v: &[f64], out: &mut [f64]) {
-        self.outputs.fetch_add(1, Relaxed);
-        out[0] = q[1];
-    }
 }
 
 /// Torque that the drive needs: the crank's inertia about the pin times the prescribed acceleration.

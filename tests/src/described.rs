@@ -45,6 +45,7 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     events: &[],
     stick_slip: None,
     stop: None,
+    switches: &[],
     effects: &[],
     until_s: 0.0,
     n_constants: 0,

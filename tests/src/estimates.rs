@@ -123,7 +123,7 @@ impl Reference {
 
 fn precise(question: &Question<'_>) -> Option<Motion> {
     let scene = question.scene;
-    if !scene.modes().is_empty() {
+    if !scene.info().switches.is_empty() {
         return None;
     }
     let run = question.order(Method::taylor(1e-6)).run().ok().filter(|run| run.outcome.reached_end())?;

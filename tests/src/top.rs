@@ -1,7 +1,10 @@
 //! A rigid body in space, free or pinned at a point, written by hand.
 
 use crate::described::{EMPTY, coordinate, row};
+#[cfg(feature = "analysis")]
+use ezy_core::model::EquationsWithDerivatives;
 use ezy_core::model::{BodyKind, Derived, Equations, Scene, SceneInfo, SparsityPattern, Start};
+use ezy_core::scalar::Scalar;
 use std::sync::{Arc, LazyLock};
 
 /// Mass, kg.
@@ -66,73 +69,80 @@ static INFOS: LazyLock<[Arc<SceneInfo>; 2]> =
     LazyLock::new(|| [false, true].map(|is_pinned| Arc::new(info(is_pinned))));
 
 /// Columns are the axes of the body, for a quaternion of any length but zero.
-pub fn attitude(p: &[f64]) -> [[f64; 3]; 3] {
+pub fn attitude<T: Scalar>(p: &[T]) -> [[T; 3]; 3] {
     let [s, i, j, k] = [p[0], p[1], p[2], p[3]];
+    let two = T::from_f64(2.0);
     let n = s * s + i * i + j * j + k * k;
     let rows = [
-        [s * s + i * i - j * j - k * k, 2.0 * (i * j - s * k), 2.0 * (i * k + s * j)],
-        [2.0 * (i * j + s * k), s * s - i * i + j * j - k * k, 2.0 * (j * k - s * i)],
-        [2.0 * (i * k - s * j), 2.0 * (j * k + s * i), s * s - i * i - j * j + k * k],
+        [s * s + i * i - j * j - k * k, two * (i * j - s * k), two * (i * k + s * j)],
+        [two * (i * j + s * k), s * s - i * i + j * j - k * k, two * (j * k - s * i)],
+        [two * (i * k - s * j), two * (j * k + s * i), s * s - i * i - j * j + k * k],
     ];
     rows.map(|row| row.map(|x| x / n))
 }
 
-fn times(r: &[[f64; 3]; 3], x: [f64; 3]) -> [f64; 3] {
+fn times<T: Scalar>(r: &[[T; 3]; 3], x: [T; 3]) -> [T; 3] {
     r.map(|row| row[0] * x[0] + row[1] * x[1] + row[2] * x[2])
 }
 
-fn cross(a: &[f64], b: [f64; 3]) -> [f64; 3] {
+fn cross<T: Scalar>(a: &[T], b: [T; 3]) -> [T; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-impl Equations<f64> for Top {
-    fn constants(&self, _parameters: &[f64], _c: &mut [f64]) {}
+impl<T: Scalar> Equations<T> for Top {
+    fn constants(&self, _parameters: &[T], _c: &mut [T]) {}
 
-    fn mass_matrix(&self, _c: &[f64], m: &mut [f64]) {
-        m[..3].fill(MASS);
-        m[3..].copy_from_slice(&self.inertia);
+    fn mass_matrix(&self, _c: &[T], m: &mut [T]) {
+        m[..3].fill(T::from_f64(MASS));
+        m[3..].copy_from_slice(&self.inertia.map(T::from_f64));
     }
 
-    fn position_constraint(&self, _c: &[f64], _t: f64, q: &[f64], out: &mut [f64]) {
-        if let Some(pin) = self.pin {
+    fn position_constraint(&self, _c: &[T], _t: T, q: &[T], out: &mut [T]) {
+        if let Some(pin) = self.pin.map(|pin| pin.map(T::from_f64)) {
             let arm = times(&attitude(&q[3..]), pin);
-            out.iter_mut().zip(q).zip(arm).for_each(|((out, q), arm)| *out = q + arm);
+            out.iter_mut().zip(q).zip(arm).for_each(|((out, q), arm)| *out = *q + arm);
         }
     }
 
-    fn velocity_constraint(&self, _c: &[f64], _t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        if let Some(pin) = self.pin {
+    fn velocity_constraint(&self, _c: &[T], _t: T, q: &[T], v: &[T], out: &mut [T]) {
+        if let Some(pin) = self.pin.map(|pin| pin.map(T::from_f64)) {
             let rate = times(&attitude(&q[3..]), cross(&v[3..], pin));
-            out.iter_mut().zip(v).zip(rate).for_each(|((out, v), rate)| *out = v + rate);
+            out.iter_mut().zip(v).zip(rate).for_each(|((out, v), rate)| *out = *v + rate);
         }
     }
 
-    fn velocity_jacobian(&self, _c: &[f64], _t: f64, q: &[f64], out: &mut [f64]) {
-        if let Some(pin) = self.pin {
+    fn velocity_jacobian(&self, _c: &[T], _t: T, q: &[T], out: &mut [T]) {
+        if let Some(pin) = self.pin.map(|pin| pin.map(T::from_f64)) {
             let r = attitude(&q[3..]);
-            let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            let [o, one] = [0.0, 1.0].map(T::from_f64);
+            let axes = [[one, o, o], [o, one, o], [o, o, one]];
             let columns = axes.map(|axis| times(&r, cross(&axis, pin)));
             for (i, row) in out.chunks_exact_mut(4).enumerate() {
-                row.copy_from_slice(&[1.0, columns[0][i], columns[1][i], columns[2][i]]);
+                row.copy_from_slice(&[one, columns[0][i], columns[1][i], columns[2][i]]);
             }
         }
     }
 
-    fn convective_term(&self, _c: &[f64], _t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        if let Some(pin) = self.pin {
+    fn convective_term(&self, _c: &[T], _t: T, q: &[T], v: &[T], out: &mut [T]) {
+        if let Some(pin) = self.pin.map(|pin| pin.map(T::from_f64)) {
             out.copy_from_slice(&times(&attitude(&q[3..]), cross(&v[3..], cross(&v[3..], pin))));
         }
     }
 
-    fn applied_force(&self, _c: &[f64], _t: f64, _q: &[f64], v: &[f64], out: &mut [f64]) {
-        out[..3].copy_from_slice(&[0.0, 0.0, -MASS * self.gravity]);
+    fn applied_force(&self, _c: &[T], _t: T, _q: &[T], v: &[T], out: &mut [T]) {
+        out[..3].copy_from_slice(&[0.0, 0.0, -MASS * self.gravity].map(T::from_f64));
         let omega = &v[3..];
-        let momentum = std::array::from_fn(|i| self.inertia[i] * omega[i]);
+        let momentum = std::array::from_fn(|i| T::from_f64(self.inertia[i]) * omega[i]);
         out[3..].copy_from_slice(&cross(omega, momentum).map(|x| -x));
     }
 }
 
-impl Derived for Top {}
+impl Derived for Top {
+    #[cfg(feature = "analysis")]
+    fn with_derivatives(&self) -> Option<&dyn EquationsWithDerivatives> {
+        Some(self)
+    }
+}
 
 impl Scene for Top {
     fn info(&self) -> Arc<SceneInfo> {
@@ -159,6 +169,4 @@ impl Scene for Top {
     }
 
     fn points(&self, _c: &[f64], _t: f64, _q: &[f64], _out: &mut [f64]) {}
-
-    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
 }

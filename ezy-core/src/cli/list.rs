@@ -20,9 +20,10 @@ pub(super) fn list(models: Models<'_>, arguments: &ListArguments) -> Result<(), 
     print(&models.iter().map(|(model, scenes)| model_text(model, scenes) + "\n").collect::<String>())
 }
 
-/// Independent velocities: coordinates less rows, which are independent in a sound scene.
+/// Independent velocities at the start: all less rows that hold, which are independent in a sound scene.
 fn freedom(info: &SceneInfo) -> usize {
-    info.n_coordinates().saturating_sub(info.n_rows())
+    let [_, n_rows] = info.n_rows_at_start();
+    info.n_velocities().saturating_sub(n_rows)
 }
 
 fn model_text(model: &ModelInfo, scenes: &[&SceneEntry]) -> String {
@@ -38,12 +39,13 @@ fn model_text(model: &ModelInfo, scenes: &[&SceneEntry]) -> String {
     for scene in scenes {
         let info = (scene.info)();
         let effects = info.effects.iter().map(|effect| effect.name).collect::<Vec<_>>().join(", ");
+        let [n_position_rows, n_rows] = info.n_rows_at_start();
         table.push([
             format!("{}/{}", typed(model.name), info.name),
             if effects.is_empty() { "-".to_owned() } else { effects },
             info.bodies.len().to_string(),
-            info.n_position_rows.to_string(),
-            (info.n_rows() - info.n_position_rows).to_string(),
+            n_position_rows.to_string(),
+            (n_rows - n_position_rows).to_string(),
             freedom(&info).to_string(),
             info.until_s.to_string(),
         ]);
@@ -75,6 +77,7 @@ fn model_json(model: &ModelInfo, scenes: &[&SceneEntry]) -> Value {
 }
 
 fn scene_json(info: &SceneInfo) -> Value {
+    let [n_position_rows, n_rows] = info.n_rows_at_start();
     let parameter =
         |p: &ParameterInfo| json!({ "name": p.name, "unit": p.unit, "default": p.default, "effect": p.effect });
     let parameters: Value = info.parameters.iter().map(parameter).collect();
@@ -90,8 +93,8 @@ fn scene_json(info: &SceneInfo) -> Value {
         "inputs": inputs,
         "outputs": outputs,
         "coordinates": info.n_coordinates(),
-        "position_rows": info.n_position_rows,
-        "velocity_rows": info.n_rows() - info.n_position_rows,
+        "position_rows": n_position_rows,
+        "velocity_rows": n_rows - n_position_rows,
         "freedom": freedom(info),
         "until": info.until_s,
     })

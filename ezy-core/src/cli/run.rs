@@ -60,7 +60,7 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     }
     let (run, free, written) = done?;
     // it chooses its steps, which a table may not let it
-    let radau_runs = arguments.motion.inputs.is_none() && has_jacobians(scene.as_ref());
+    let radau_runs = arguments.motion.inputs.is_none() && scene.jacobian_places().is_some();
     if arguments.json {
         print_json(&run_json(&scene.info(), method, Some(&run), &free, &run.outcome.to_string()))?;
         print_error(&remarks(&run, method, radau_runs));
@@ -76,11 +76,6 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
         (Some(why), Ok(())) | (None, Err(why)) => Err(Failure::stopped(why)),
         (Some(why), Err(file)) => Err(Failure::stopped(format!("{why}; {file}"))),
     }
-}
-
-/// Whether a scene and its modes have the Jacobians of their equations.
-fn has_jacobians(scene: &dyn Scene) -> bool {
-    scene.jacobian_places().is_some() && scene.modes().iter().all(|mode| mode.jacobian_places().is_some())
 }
 
 /// The run, the start values that were free, and whether its file is complete.

@@ -45,9 +45,9 @@ pub(super) fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), 
     }
 }
 
-/// Independent positions and velocities: coordinates less rows, which are independent in a sound scene.
+/// Independent positions and velocities at the start: all less rows that hold, which are independent in a sound scene.
 fn freedom(info: &SceneInfo) -> [usize; 2] {
-    [info.n_position_rows, info.n_rows()].map(|rows| info.n_coordinates().saturating_sub(rows))
+    info.n_rows_at_start().map(|rows| info.n_velocities().saturating_sub(rows))
 }
 
 const OPERATIONS: [&str; 6] = ["mul", "add", "div", "arithmetic in all", "sin and cos", "other calls"];

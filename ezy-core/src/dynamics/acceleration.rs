@@ -5,10 +5,7 @@ use super::factors::Solver;
 use super::solved::{Rows, Solved};
 use super::tolerances::geometry::TOLERANCE;
 use super::{Metric, MotionError, System};
-use crate::linalg::{
-    ConditionEstimator, Conditioning, EquationResidual, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, weights,
-    write_diagonal,
-};
+use crate::linalg::{EquationResidual, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, weights, write_diagonal};
 use crate::model::{Equations as _, Pivots, SceneRef, Series, SeriesStore};
 use std::sync::Arc;
 
@@ -112,8 +109,8 @@ impl<P: SceneRef> Configuration<'_, P> {
         if left.is_nan() {
             return Err(MotionError::NotFinite { t, quantity: "an acceleration or a multiplier".into() });
         }
-        self.system.check_accelerations(t, q, solved)?;
-        let smallest_pivot = self.system.independence(t, q);
+        self.system.diagnosis().check_accelerations(t, q, solved)?;
+        let smallest_pivot = self.system.diagnosis().independence(t, q);
         let rank = self.system.rank_at(t, q, Independent::Above(INDEPENDENT_EXACTLY));
         let found = rank.map(|rank| rank.dependencies()).filter(|found| found.n > 0);
         Err(MotionError::LostInRounding {
@@ -190,7 +187,7 @@ impl<P: SceneRef> System<P> {
         lambda: &mut [f64],
     ) -> Result<(), MotionError> {
         if self.uses_elimination()
-            && self.factors.holds_no_rows()
+            && !self.active.leaves_out_redundant()
             && self.eliminate_accelerations(t, q, v, a, lambda).is_some()
         {
             return Ok(());
@@ -255,7 +252,7 @@ impl<P: SceneRef> System<P> {
     ) -> Result<Solved, MotionError> {
         match metric {
             Metric::Mass => self.at_with(t, q, Rows::Projected).correction(residual, delta),
-            Metric::Euclidean => self.euclidean_correction(t, q, residual, delta),
+            Metric::Euclidean => self.projector().euclidean_correction(t, q, residual, delta),
         }
     }
 
@@ -336,17 +333,6 @@ impl<P: SceneRef> System<P> {
         pivot
     }
 
-    /// Storage for [`System::conditioning`].
-    pub(crate) fn condition_estimator(&self) -> ConditionEstimator {
-        ConditionEstimator::new(&self.geometry.units, &self.info.jacobian)
-    }
-
-    /// How well K can be solved with at a state, by an estimator for this scene.
-    pub(crate) fn conditioning(&mut self, t: f64, q: &[f64], estimator: &mut ConditionEstimator) -> Conditioning {
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        estimator.estimate(&self.mass, &self.info.jacobian, &self.buffers.jacobian)
-    }
-
     /// Removes from accelerations `a` what rounding left of `G a + [h; s]`, by one correction in the mass matrix.
     ///
     /// The elimination finds the multipliers to their last digits and divides by masses: a bar of 0.005 kg·m² under
@@ -374,7 +360,7 @@ impl<P: SceneRef> System<P> {
         for (k, row, column) in info.jacobian.entries() {
             buffers.residual[row] += buffers.jacobian[k] * x[column];
         }
-        self.correct(t, q, Metric::Mass, Rows::Projected)?;
+        self.projector().correct(t, q, Metric::Mass, Rows::Projected)?;
         x.iter_mut().zip(&self.buffers.delta).for_each(|(x, delta)| *x += delta);
         Ok(())
     }

@@ -1,9 +1,10 @@
 //! Whether a start is assembled in the mode that its near values ask for: why so, in docs/decisions/047.
 
+use super::State;
+use super::assembly::Assembly;
 use super::error::StartError;
 use super::moved::MovedValue;
 use super::tolerances::rank::NEARLY_DEPENDENT;
-use super::{State, System};
 use crate::linalg::{LARGEST_DIAGNOSED, singular_values};
 use crate::model::coordinate::is_angle;
 use crate::model::{Equations as _, SceneRef, Start};
@@ -15,22 +16,22 @@ struct Block {
     coordinates: Vec<usize>,
 }
 
-impl<P: SceneRef> System<P> {
+impl<P: SceneRef> Assembly<'_, P> {
     /// Whether the coordinates `found` are in the assembly mode of `guess`, where near values are as given.
     ///
     /// # Errors
     /// [`StartError::OtherAssemblyMode`].
     pub(super) fn check_mode(&mut self, start: &Start, guess: &[f64], found: &State) -> Result<(), StartError> {
         // elbows are those of planar loops
-        if self.info.n_unknowns() > LARGEST_DIAGNOSED || !self.info.is_planar() {
+        if self.system.info.n_unknowns() > LARGEST_DIAGNOSED || !self.system.info.is_planar() {
             return Ok(());
         }
         let [asked, reached] = [guess, &found.q].map(|q| {
-            self.scene.velocity_jacobian(&self.fixed, start.t, q, &mut self.buffers.jacobian);
-            self.buffers.jacobian.clone()
+            self.system.scene.velocity_jacobian(&self.system.fixed, start.t, q, &mut self.system.buffers.jacobian);
+            self.system.buffers.jacobian.clone()
         });
-        let mut of_row = vec![Vec::new(); self.info.n_position_rows];
-        for (k, row, column) in self.info.jacobian.entries().filter(|e| e.1 < self.info.n_position_rows) {
+        let mut of_row = vec![Vec::new(); self.system.info.n_position_rows];
+        for (k, row, column) in self.system.info.jacobian.entries().filter(|e| e.1 < self.system.info.n_position_rows) {
             if asked[k] != 0.0 || reached[k] != 0.0 {
                 of_row[row].push(column);
             }
@@ -42,7 +43,7 @@ impl<P: SceneRef> System<P> {
             .iter()
             .filter(|block| is_guessed(block) && self.side(block, &asked) * self.side(block, &reached) < 0.0);
         let coordinates = folded.flat_map(|block| &block.coordinates).filter(|&&i| start.q_near[i]);
-        let value = |&i: &usize| MovedValue::of(&self.info.coordinates[i], start.q[i], found.q[i]);
+        let value = |&i: &usize| MovedValue::of(&self.system.info.coordinates[i], start.q[i], found.q[i]);
         let mut values: Vec<MovedValue> = coordinates.map(value).collect();
         if values.is_empty() {
             return Ok(());
@@ -66,11 +67,11 @@ impl<P: SceneRef> System<P> {
     fn side(&self, block: &Block, jacobian: &[f64]) -> f64 {
         let n = block.rows.len();
         let mut matrix = DMatrix::<f64>::zeros(n, n);
-        for (k, row, column) in self.info.jacobian.entries() {
+        for (k, row, column) in self.system.info.jacobian.entries() {
             let place =
                 block.rows.iter().position(|&r| r == row).zip(block.coordinates.iter().position(|&c| c == column));
             if let Some(place) = place {
-                matrix[place] += jacobian[k] / self.geometry.units[column];
+                matrix[place] += jacobian[k] / self.system.geometry.units[column];
             }
         }
         for mut row in matrix.row_iter_mut() {
@@ -181,6 +182,7 @@ impl<'a> Partition<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::System;
     use crate::dynamics::tests::linkage;
     use crate::linalg::Backend;
 
@@ -188,7 +190,7 @@ mod tests {
     #[test]
     fn invariant_drivers_are_chosen_among_near_values_that_moved_least() {
         let scene = linkage::Turns::default();
-        let system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
         let mut start = Start::free(9);
         for i in [2, 3, 5, 7, 8] {
             (start.q_given[i], start.q_near[i]) = (true, i != 2);
@@ -196,6 +198,6 @@ mod tests {
         let guess = [0.0; 9];
         let found = [0.5, 0.4, 0.0, 0.3, -0.1, -0.2, 0.6, 0.1, 0.05];
         // near: angles 8 (0.05) and 5 (0.2), lengths 7 (0.1) and 3 (0.3); not given: 4, 1, 0, 6; 2 is given
-        assert_eq!(system.drivers(&start, &guess, &found), [8, 5, 7, 3, 4, 1, 0, 6]);
+        assert_eq!(system.assembly().drivers(&start, &guess, &found), [8, 5, 7, 3, 4, 1, 0, 6]);
     }
 }

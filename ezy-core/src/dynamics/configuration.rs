@@ -26,17 +26,31 @@ impl<P: SceneRef> System<P> {
     /// As [`System::at`], with these rows; held ones where [`System::hold_rows`] found some.
     #[inline]
     pub(super) fn at_with<'c>(&'c mut self, t: f64, q: &'c [f64], rows: Rows) -> Configuration<'c, P> {
-        let rows = if rows == Rows::Held && self.factors.held.is_empty() { Rows::Projected } else { rows };
+        let rows = if rows == Rows::Held && !self.active.leaves_out_redundant() { Rows::Projected } else { rows };
         Configuration { system: self, t, q, rows }
+    }
+
+    /// Switches the row of the scene that can be switched on or off, and sets its side
+    /// ([`SceneInfo::switches`](crate::model::SceneInfo::switches)). What a step held is forgotten.
+    pub(crate) fn switch(&mut self, holds: bool, side: f64) {
+        let Self { scene, info, fixed, active, factors, .. } = self;
+        scene.constants(active.switch(info, holds, side), fixed);
+        factors.forget();
+    }
+
+    /// How many position constraints, and how many rows, are not switched off.
+    pub(crate) fn n_rows_on(&self) -> [usize; 2] {
+        [self.info.n_position_rows, self.info.n_rows()]
+            .map(|n| n - self.active.off().iter().filter(|row| **row < n).count())
     }
 
     /// Where rows are redundant at the start of a step, its stages keep to those that are independent there.
     #[inline]
     pub(crate) fn hold_rows(&mut self, t: f64, q: &[f64], are_redundant: bool) {
-        if !are_redundant && self.factors.holds_no_rows() {
+        if !are_redundant && !self.active.leaves_out_redundant() {
             return;
         }
-        let mut held = std::mem::take(&mut self.factors.held);
+        let mut held = std::mem::take(&mut self.active.held);
         held.clear();
         if are_redundant
             && let Some(rank) = self.rank_at(t, q, Independent::Above(INDEPENDENT))
@@ -44,7 +58,7 @@ impl<P: SceneRef> System<P> {
         {
             held.extend(rank.independent_rows());
         }
-        self.factors.held = held;
+        self.active.held = held;
         if self.factors.rows == Rows::Held {
             self.factors.forget();
         }
@@ -52,7 +66,7 @@ impl<P: SceneRef> System<P> {
 
     /// Whether rows were redundant at the start of the step.
     pub(crate) fn holds_rows(&self) -> bool {
-        !self.factors.holds_no_rows()
+        self.active.leaves_out_redundant()
     }
 
     /// What G at a configuration says about its rows; none in a system too large to tell, or where G is not finite.
@@ -60,18 +74,18 @@ impl<P: SceneRef> System<P> {
         if self.info.n_unknowns() > LARGEST_DIAGNOSED {
             return None;
         }
-        let Self { scene, info, fixed, mass, geometry, factors, buffers, .. } = self;
+        let Self { scene, info, fixed, mass, geometry, active, factors, buffers, .. } = self;
         scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
         let rank = factors
             .rank
             .get_or_insert_with(|| Box::new(RankRevealing::new(info.n_rows(), info.n_velocities(), &info.jacobian)));
-        rank.factor(&buffers.jacobian, &geometry.units, mass, independent).then_some(rank)
+        rank.factor(&buffers.jacobian, &geometry.units, mass, independent, active.off()).then_some(rank)
     }
 
     /// Square of the smallest pivot of the rows that a step goes on with; zero where they depend on each other, none where that cannot
     /// be told.
     pub(super) fn pivot_of_rows(&mut self, t: f64, q: &[f64]) -> Option<f64> {
-        let held = std::mem::take(&mut self.factors.held);
+        let held = std::mem::take(&mut self.active.held);
         let rows = if held.is_empty() { Independent::Above(f64::EPSILON) } else { Independent::Rows(&held) };
         let is_small = self.info.n_unknowns() <= LARGEST_DIAGNOSED;
         let pivot = match self.rank_at(t, q, rows) {
@@ -79,7 +93,7 @@ impl<P: SceneRef> System<P> {
             Some(rank) => Some(rank.smallest_pivot().powi(2)),
             None => is_small.then_some(0.0),
         };
-        self.factors.held = held;
+        self.active.held = held;
         pivot
     }
 }
@@ -101,7 +115,7 @@ impl<P: SceneRef> Configuration<'_, P> {
         if self.system.factors.are_of(t, q, rows) {
             return Ok(());
         }
-        let System { scene, info, fixed, mass, geometry, solver, factors, counters, .. } = &mut *self.system;
+        let System { scene, info, fixed, mass, geometry, solver, active, factors, counters, .. } = &mut *self.system;
         factors.forget();
         counters.factorizations += 1;
         scene.velocity_jacobian(fixed, t, q, &mut factors.jacobian);
@@ -109,6 +123,7 @@ impl<P: SceneRef> Configuration<'_, P> {
         let mut made = Made::Dense;
         if let Solver::Sparse(kkt) = solver
             && rows != Rows::Held
+            && active.off().is_empty()
         {
             match kkt.factor(mass, &factors.jacobian) {
                 Ok(()) => made = Made::Sparse,
@@ -127,11 +142,11 @@ impl<P: SceneRef> Configuration<'_, P> {
                     .dense
                     .get_or_insert_with(|| Box::new(NullSpaceKkt::new(&geometry.units, &info.jacobian, info.n_rows())));
                 let independent = match rows {
-                    Rows::Held => Independent::Rows(&factors.held),
+                    Rows::Held => Independent::Rows(&active.held),
                     Rows::Projected => Independent::Above(INDEPENDENT),
                     Rows::Exact => Independent::Above(INDEPENDENT_EXACTLY),
                 };
-                dense.factor(mass, &factors.jacobian, independent).is_err()
+                dense.factor(mass, &factors.jacobian, independent, active.off()).is_err()
             }
         };
         if is_singular && rows == Rows::Held {
@@ -163,7 +178,7 @@ impl<P: SceneRef> Configuration<'_, P> {
     /// Replaces the right side `[r; s]` in the buffer of the factors by `[x; y]`.
     pub(super) fn solve_in_buffer(&mut self) -> Solved {
         let smallest_pivot = self.pivot();
-        let System { info, mass, geometry, solver, factors, .. } = &mut *self.system;
+        let System { mass, geometry, solver, factors, .. } = &mut *self.system;
         let Factors { made, dense, damped, jacobian, right_side, .. } = factors;
         let (is_rank_deficient, left) = match (made, solver, dense, damped) {
             (Made::Sparse, Solver::Sparse(kkt), ..) => {
@@ -175,7 +190,7 @@ impl<P: SceneRef> Configuration<'_, P> {
             }
             (_, _, Some(dense), _) => {
                 let left = dense.solve(right_side);
-                (dense.rank().rank() < info.n_rows(), left)
+                (dense.rank().n_redundant() > 0, left)
             }
             _ => (false, Left::default()),
         };

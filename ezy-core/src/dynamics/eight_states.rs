@@ -63,13 +63,10 @@ impl EightStates {
 }
 
 impl<P: SceneRef> System<P> {
-    /// Takes over the inputs of the present step.
+    /// Takes over what kernels read in the present step.
     pub(crate) fn begin_eight(&self, states: &mut EightStates) {
-        let EightStates { fixed, .. } = states;
-        if fixed.is_empty() {
-            fixed.extend(self.fixed.iter().map(|&x| Eight::from_f64(x)));
-        }
-        fixed.iter_mut().zip(self.inputs()).for_each(|(fixed, &x)| *fixed = Eight::from_f64(x));
+        states.fixed.clear();
+        states.fixed.extend(self.fixed.iter().map(|&x| Eight::from_f64(x)));
     }
 
     /// Accelerations and multipliers within a run, as those of stages: by the elimination of the scene all at once, or one after the other.
@@ -77,7 +74,7 @@ impl<P: SceneRef> System<P> {
     /// # Errors
     /// [`MotionError`] of any of them.
     pub(crate) fn accelerations_of_eight(&mut self, states: &mut EightStates) -> Result<(), MotionError> {
-        if self.uses_elimination() && self.factors.holds_no_rows() && self.eliminate_eight(states) {
+        if self.uses_elimination() && !self.active.leaves_out_redundant() && self.eliminate_eight(states) {
             return Ok(());
         }
         states.smallest_pivot = f64::INFINITY;

@@ -2,7 +2,7 @@
 
 use super::tolerances::geometry::TOLERANCE;
 use super::{MotionError, System, max_abs};
-use crate::model::{Derived as _, Scene as _, SceneRef, StickSlipInfo, StopInfo};
+use crate::model::{Derived as _, Equations as _, Scene as _, SceneRef, StickSlipInfo, StopInfo};
 
 impl<P: SceneRef> System<P> {
     /// Work of the largest multiplier over the tolerance of positions, J: a body that is held gains or loses as much by rounding.

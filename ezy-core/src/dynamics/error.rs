@@ -74,6 +74,16 @@ pub enum SystemError {
         /// Name of the scene.
         scene: &'static str,
     },
+    /// The scene has no kernels on numbers with derivatives ([`Derived::with_derivatives`](crate::model::Derived::with_derivatives)).
+    #[cfg(feature = "analysis")]
+    #[error(
+        "scene `{scene}` has no exact derivatives: its equations are those of `f64` alone; write them for any `Scalar` and let \
+         `Derived::with_derivatives` return `Some(self)`"
+    )]
+    WithoutDerivatives {
+        /// Name of the scene.
+        scene: &'static str,
+    },
     /// The dense backend was asked for with too many equations.
     #[error("a system of {n} equations is too large for the dense backend (at most {limit}); use `auto` or `sparse`")]
     TooLargeForDense {

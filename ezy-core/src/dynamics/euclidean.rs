@@ -35,8 +35,14 @@ impl Euclidean {
         }))
     }
 
-    /// For a residual of the position constraints, or of all; `None` when a number is not finite.
-    pub(super) fn correction(&mut self, jacobian: &[f64], residual: &[f64], delta: &mut [f64]) -> Option<Solved> {
+    /// For a residual of the position constraints, or of all, without the rows that are `off`; `None` when a number is not finite.
+    pub(super) fn correction(
+        &mut self,
+        jacobian: &[f64],
+        residual: &[f64],
+        off: &[usize],
+        delta: &mut [f64],
+    ) -> Option<Solved> {
         let Self { ones, positions, velocities, right_side } = self;
         let n_q = ones.len();
         let of_positions = n_q + residual.len() < right_side.len();
@@ -44,7 +50,7 @@ impl Euclidean {
         let kkt = if of_positions { positions } else { velocities };
         x[..n_q].fill(0.0);
         x[n_q..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
-        kkt.factor(ones, jacobian, Independent::Above(INDEPENDENT)).ok()?;
+        kkt.factor(ones, jacobian, Independent::Above(INDEPENDENT), off).ok()?;
         let left = kkt.solve(x);
         delta.copy_from_slice(&x[..n_q]);
         let rank = kkt.rank();

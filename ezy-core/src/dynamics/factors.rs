@@ -23,8 +23,6 @@ pub(super) struct Factors {
     /// Made when it is first needed.
     pub(super) dense: Option<Box<NullSpaceKkt>>,
     pub(super) damped: Option<Box<DampedKkt>>,
-    /// The independent rows at the start of a step, where others were redundant.
-    pub(super) held: Vec<usize>,
     /// What one elimination gave besides, for who asks next.
     pub ahead: Ahead,
     /// Answers questions of rank beside the factors; made when it is first needed.
@@ -52,7 +50,6 @@ impl Factors {
             jacobian,
             dense: None,
             damped: None,
-            held: Vec::with_capacity(n_rows),
             ahead: Ahead::new([n_q, n_v], n_rows),
             rank: None,
             right_side: vec![0.0; n_v + n_rows],
@@ -63,10 +60,6 @@ impl Factors {
     pub(super) fn forget(&mut self) {
         self.t = f64::NAN;
         self.ahead.t = f64::NAN;
-    }
-
-    pub(super) fn holds_no_rows(&self) -> bool {
-        self.held.is_empty()
     }
 
     #[inline]

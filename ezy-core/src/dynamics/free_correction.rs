@@ -1,17 +1,18 @@
 //! Corrections of a start: given values stay, the others take the residual away.
 
-use super::System;
+use super::assembly::Assembly;
 use super::tolerances::start::{DAMPING, LARGEST_DENSE_START, RANK_TOLERANCE};
 use crate::linalg::{HAS_SPARSE, KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
 use crate::model::{Equations as _, SceneRef};
 use nalgebra::{DMatrix, DVector};
 
-impl<P: SceneRef> System<P> {
+impl<P: SceneRef> Assembly<'_, P> {
     /// Change of the velocities (or, in their axes, of the coordinates) that are not given, smallest in the mass matrix, that removes the
     /// residual of the first `n_rows` rows in the buffer to first order, in the least-squares sense.
     pub(super) fn free_correction(&mut self, t: f64, q: &[f64], n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let finite = self.buffers.residual[..n_rows].iter().chain(&self.buffers.jacobian).all(|x| x.is_finite());
+        self.system.scene.velocity_jacobian(&self.system.fixed, t, q, &mut self.system.buffers.jacobian);
+        let finite =
+            self.system.buffers.residual[..n_rows].iter().chain(&self.system.buffers.jacobian).all(|x| x.is_finite());
         if !finite || n_rows == 0 || given.iter().all(|given| *given) {
             return None;
         }
@@ -21,12 +22,12 @@ impl<P: SceneRef> System<P> {
     /// First-order change of what is not given that follows when something else changes the residual of the first rows, as
     /// many as `residual` has, by `residual`; smallest in the mass matrix. Zero where nothing is free.
     pub(crate) fn free_tangent(&mut self, t: f64, q: &[f64], residual: &[f64], given: &[bool]) -> Vec<f64> {
-        self.buffers.residual[..residual.len()].copy_from_slice(residual);
+        self.system.buffers.residual[..residual.len()].copy_from_slice(residual);
         self.free_correction(t, q, residual.len(), given).unwrap_or_else(|| vec![0.0; given.len()])
     }
 
     pub(super) fn starts_sparse(&self) -> bool {
-        HAS_SPARSE && self.info.n_velocities() > LARGEST_DENSE_START
+        HAS_SPARSE && self.system.info.n_velocities() > LARGEST_DENSE_START
     }
 
     /// By `[W Gᵀ; G −D] [δ; μ] = [0; −r]` over the free coordinates, with D a small share of `G W⁻¹ Gᵀ`.
@@ -34,13 +35,13 @@ impl<P: SceneRef> System<P> {
         let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
         let mut place = vec![None; given.len()];
         free.iter().enumerate().for_each(|(i, &column)| place[column] = Some(i));
-        let root_weight = root_weights(&self.mass);
+        let root_weight = root_weights(&self.system.mass);
         let weight: Vec<f64> = free.iter().map(|&i| root_weight[i] * root_weight[i]).collect();
         let (mut entries, mut jacobian) = (Vec::new(), Vec::new());
-        for (k, row, column) in self.info.jacobian.entries().filter(|e| e.1 < n_rows) {
+        for (k, row, column) in self.system.info.jacobian.entries().filter(|e| e.1 < n_rows) {
             if let Some(i) = place[column] {
                 entries.push((row, i));
-                jacobian.push(self.buffers.jacobian[k]);
+                jacobian.push(self.system.buffers.jacobian[k]);
             }
         }
         let mut damping = vec![0.0; n_rows];
@@ -50,7 +51,7 @@ impl<P: SceneRef> System<P> {
         let mut kkt = SparseKkt::from_entries(free.len(), n_rows, entries).ok()?;
         kkt.factor_damped(&weight, &jacobian, &damping).ok()?;
         let mut solution = vec![0.0; free.len()];
-        solution.extend(self.buffers.residual[..n_rows].iter().map(|r| -r));
+        solution.extend(self.system.buffers.residual[..n_rows].iter().map(|r| -r));
         kkt.solve(&mut solution);
         let mut step = vec![0.0; given.len()];
         free.iter().zip(&solution).for_each(|(&column, x)| step[column] = *x);
@@ -60,24 +61,24 @@ impl<P: SceneRef> System<P> {
     /// By singular values over the free coordinates, rows in units of their sizes. What has mass takes away what massless
     /// coordinates cannot, as little as possible in the mass matrix; these take the rest.
     fn dense_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
-        let sizes = &self.geometry.sizes;
-        let unit = |column: usize| match (self.mass[column] > 0.0, self.geometry.turns[column]) {
-            (true, _) => self.mass[column].sqrt(),
-            (false, true) => self.geometry.length,
+        let sizes = &self.system.geometry.sizes;
+        let unit = |column: usize| match (self.system.mass[column] > 0.0, self.system.geometry.turns[column]) {
+            (true, _) => self.system.mass[column].sqrt(),
+            (false, true) => self.system.geometry.length,
             (false, false) => 1.0,
         };
         let free = (0..given.len()).filter(|&i| !given[i]);
-        let (heavy, massless): (Vec<usize>, Vec<usize>) = free.partition(|&i| self.mass[i] > 0.0);
+        let (heavy, massless): (Vec<usize>, Vec<usize>) = free.partition(|&i| self.system.mass[i] > 0.0);
         let slopes = |columns: &[usize]| {
             let mut G = DMatrix::<f64>::zeros(n_rows, columns.len());
-            for (k, row, column) in self.info.jacobian.entries().filter(|e| e.1 < n_rows) {
+            for (k, row, column) in self.system.info.jacobian.entries().filter(|e| e.1 < n_rows) {
                 if let Ok(i) = columns.binary_search(&column) {
-                    G[(row, i)] += self.buffers.jacobian[k] / unit(column) / sizes[row];
+                    G[(row, i)] += self.system.buffers.jacobian[k] / unit(column) / sizes[row];
                 }
             }
             G
         };
-        let rows = self.buffers.residual[..n_rows].iter().zip(sizes);
+        let rows = self.system.buffers.residual[..n_rows].iter().zip(sizes);
         let mut residual = DVector::from_iterator(n_rows, rows.map(|(r, size)| r / size));
         let (mut G, G_massless) = (slopes(&heavy), slopes(&massless));
         let mut step = vec![0.0; given.len()];
@@ -128,7 +129,7 @@ fn root_weights(mass: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::dynamics::System;
     use crate::linalg::Backend;
 
     crate::model! {
@@ -144,6 +145,6 @@ mod tests {
     fn analytic_nothing_follows_where_there_are_no_rows() {
         let scene = stone::Falls::default();
         let mut system = System::new(&scene, Backend::Auto).unwrap();
-        assert_eq!(system.free_tangent(0.0, &[0.0, 5.0, 0.0], &[], &[true, true, false]), [0.0; 3]);
+        assert_eq!(system.assembly().free_tangent(0.0, &[0.0, 5.0, 0.0], &[], &[true, true, false]), [0.0; 3]);
     }
 }

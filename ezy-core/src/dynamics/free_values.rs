@@ -1,40 +1,41 @@
 //! Start values that neither the given ones nor the constraints determine.
 
+use super::State;
+use super::assembly::Assembly;
 use super::tolerances::start::RANK_TOLERANCE;
-use super::{State, System};
 use crate::model::body_kind;
 use crate::model::{Equations as _, Name, SceneRef, Start};
 use crate::scalar::GOLDEN_RATIO;
 
-impl<P: SceneRef> System<P> {
+impl<P: SceneRef> Assembly<'_, P> {
     /// Names of the values of `start` that are not given and that the constraints leave free at `state`, coordinates first; velocities
     /// where one is given that is not 0.
     ///
     /// # Cost
     /// That of a pass of [`System::consistent_start`] at each level.
     pub(crate) fn free_values(&mut self, start: &Start, state: &State) -> Vec<Name> {
-        let (n_h, n_c) = (self.info.n_position_rows, self.info.n_rows());
-        let positions = self.free_places(state, n_h, &body_kind::held(&self.info.kinds, &start.q_given));
+        let (n_h, n_c) = (self.system.info.n_position_rows, self.system.info.n_rows());
+        let positions = self.free_places(state, n_h, &body_kind::held(&self.system.info.kinds, &start.q_given));
         let moves = start.v_given.iter().zip(&start.v).any(|(given, v)| *given && *v != 0.0);
         let velocities = if moves { self.free_places(state, n_c, &start.v_given) } else { Vec::new() };
-        let coordinates = &self.info.coordinates;
-        let moved = body_kind::coordinates_moved(&self.info.kinds, self.info.n_velocities());
+        let coordinates = &self.system.info.coordinates;
+        let moved = body_kind::coordinates_moved(&self.system.info.kinds, self.system.info.n_velocities());
         let positions = positions.iter().map(|&i| coordinates[moved[i]].name.clone());
-        positions.chain(velocities.iter().map(|&i| self.info.velocities[i].name.clone())).collect()
+        positions.chain(velocities.iter().map(|&i| self.system.info.velocities[i].name.clone())).collect()
     }
 
     /// Places that are not `given` and not determined by the first `n_rows` rows: a change of all that is not given, which the rows are
     /// then satisfied with again, leaves something of itself in these.
     fn free_places(&mut self, state: &State, n_rows: usize, given: &[bool]) -> Vec<usize> {
-        let (length, turns) = (self.geometry.length, self.geometry.turns.clone());
+        let (length, turns) = (self.system.geometry.length, self.system.geometry.turns.clone());
         let unit = |i: usize| if turns[i] { 1.0 } else { length };
         // between half a unit and one, of no pattern that rows could have
         let amount = |i: usize| 0.5 + 0.5 * ((i + 1) as f64 * GOLDEN_RATIO).fract();
         let change = |i: usize| if given[i] { 0.0 } else { amount(i) * unit(i) };
-        self.scene.velocity_jacobian(&self.fixed, state.t, &state.q, &mut self.buffers.jacobian);
+        self.system.scene.velocity_jacobian(&self.system.fixed, state.t, &state.q, &mut self.system.buffers.jacobian);
         let mut residual = vec![0.0; n_rows];
-        for (k, row, column) in self.info.jacobian.entries().filter(|entry| entry.1 < n_rows) {
-            residual[row] += self.buffers.jacobian[k] * change(column);
+        for (k, row, column) in self.system.info.jacobian.entries().filter(|entry| entry.1 < n_rows) {
+            residual[row] += self.system.buffers.jacobian[k] * change(column);
         }
         let back = self.free_tangent(state.t, &state.q, &residual, given);
         (0..given.len()).filter(|&i| !given[i] && (change(i) + back[i]).abs() > RANK_TOLERANCE * unit(i)).collect()
@@ -44,6 +45,7 @@ impl<P: SceneRef> System<P> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::System;
     use crate::linalg::Backend;
     use crate::model::Scene;
 
@@ -66,7 +68,7 @@ mod tests {
         let mut system = System::new(scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let state = system.consistent_start(&start).unwrap();
-        system.free_values(&start, &state)
+        system.assembly().free_values(&start, &state)
     }
 
     /// The rail and the pin place the rod; nothing places the stone.

@@ -67,12 +67,6 @@ impl<P: SceneRef> System<P> {
             SceneInfo::integrated_places(i).iter().zip(parts).for_each(|(&place, part)| out[place] = part);
         }
     }
-
-    /// Takes over the inputs of a system with the same ones.
-    pub(crate) fn copy_inputs(&mut self, from: &Self) {
-        self.inputs_mut().copy_from_slice(from.inputs());
-        self.integrated.copy_from_slice(&from.integrated);
-    }
 }
 
 /// Value and rate at `t` of the input at place `i`, and `t`.

@@ -5,9 +5,12 @@
 #![allow(non_snake_case)]
 
 mod acceleration;
+mod active_set;
 mod any;
+mod assembly;
 mod assembly_mode;
 mod configuration;
+mod diagnosis;
 mod eight_states;
 mod energy;
 mod error;
@@ -16,6 +19,8 @@ mod factors;
 mod free_correction;
 mod free_values;
 mod geometry;
+#[cfg(feature = "analysis")]
+mod gradients;
 mod integrated_inputs;
 mod moved;
 mod no_derivative;
@@ -40,6 +45,8 @@ pub(crate) use any::check_pivots;
 pub(crate) use any::{Dynamics, Projecting, SystemOf};
 pub(crate) use eight_states::EightStates;
 pub use error::{MotionError, StartError, SystemError};
+#[cfg(feature = "analysis")]
+pub use gradients::{By, Gradients, Of, OperatingPoint};
 pub(crate) use integrated_inputs::Jump;
 pub use moved::MovedValue;
 pub(crate) use on_rows::OnRows;

@@ -1,12 +1,13 @@
 //! Laws without a derivative at a state, such as `norm(v)` at rest: for messages about runs that cannot be continued.
 
-use super::{MotionError, System};
+use super::MotionError;
+use super::diagnosis::Diagnosis;
 use crate::model::{Derived as _, Name, SceneInfo, SceneRef};
 
 /// Functions of laws whose derivatives are not finite everywhere, as formulas print them.
 const FUNCTIONS: [&str; 6] = ["sqrt(", "atan2(", "asin(", "acos(", "ln(", "pow("];
 
-impl<P: SceneRef> System<P> {
+impl<P: SceneRef> Diagnosis<'_, P> {
     /// What to say when a motion cannot be continued from a state with accelerations `a` and multipliers `lambda`: where a force has no
     /// derivative, which one. A scene without Jacobians does not know.
     #[cold]
@@ -19,10 +20,10 @@ impl<P: SceneRef> System<P> {
         if !matches!(cause, MotionError::StepCollapsed { .. } | MotionError::NotFinite { .. }) {
             return cause;
         }
-        let Some(places) = self.scene.jacobian_places() else { return cause };
+        let Some(places) = self.system.scene.jacobian_places() else { return cause };
         let [mut by_q, mut by_v] = [&places.by_q, &places.by_v].map(|places| vec![0.0; places.len()]);
-        self.scene.jacobians(&self.fixed, t, q, v, a, lambda, &mut by_q, &mut by_v);
-        let (coordinates, velocities) = (&self.info.coordinates, &self.info.velocities);
+        self.system.scene.jacobians(&self.system.fixed, t, q, v, a, lambda, &mut by_q, &mut by_v);
+        let (coordinates, velocities) = (&self.system.info.coordinates, &self.system.info.velocities);
         let undefined = |places: &[(usize, usize)], entries: &[f64]| {
             let mut of_forces = places.iter().zip(entries).filter(|((row, _), _)| *row < velocities.len());
             of_forces.find(|(_, entry)| !entry.is_finite()).map(|(place, _)| *place)
@@ -30,7 +31,7 @@ impl<P: SceneRef> System<P> {
         let by_velocity = undefined(&places.by_v, &by_v).map(|(row, i)| (row, &velocities[i].name));
         let found = by_velocity.or(undefined(&places.by_q, &by_q).map(|(row, i)| (row, &coordinates[i].name)));
         let Some((row, by)) = found else { return cause };
-        let (force_on, by, terms) = (coordinates[row].name.clone(), by.clone(), terms(&self.info, row, by));
+        let (force_on, by, terms) = (coordinates[row].name.clone(), by.clone(), terms(&self.system.info, row, by));
         MotionError::NoDerivative { t, force_on, by, terms, cause: Box::new(cause) }
     }
 }

@@ -35,7 +35,7 @@ impl<P: SceneRef> Dynamics<f64> for OnRows<'_, P> {
         on_q.copy_from_slice(q);
         on_v.copy_from_slice(v);
         let next = Next { rows: Rows::Held, accelerates: true };
-        self.system.project_with(t, on_q, on_v, Projection::Both, Metric::Mass, next)?;
+        self.system.projector().project_with(t, on_q, on_v, Projection::Both, Metric::Mass, next)?;
         self.system.accelerations_unchecked(t, on_q, on_v, a, lambda, Rows::Held).map(|_| ())
     }
 

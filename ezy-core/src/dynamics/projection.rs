@@ -58,6 +58,11 @@ pub(super) struct Next {
     pub accelerates: bool,
 }
 
+/// Brings positions and velocities back onto the rows.
+pub(crate) struct Projector<'s, P: SceneRef> {
+    system: &'s mut System<P>,
+}
+
 impl<P: SceneRef> System<P> {
     /// Brings `q` and `v` back onto the rows: positions, then velocities at the projected positions.
     ///
@@ -75,7 +80,7 @@ impl<P: SceneRef> System<P> {
         projection: Projection,
         metric: Metric,
     ) -> Result<Projected, MotionError> {
-        self.project_with(t, q, v, projection, metric, Next { rows: Rows::Projected, accelerates: false })
+        self.projector().project_with(t, q, v, projection, metric, Next { rows: Rows::Projected, accelerates: false })
     }
 
     /// As [`System::project`], for the end of a step whose accelerations are asked for next.
@@ -88,60 +93,7 @@ impl<P: SceneRef> System<P> {
         projection: Projection,
         metric: Metric,
     ) -> Result<Projected, MotionError> {
-        self.project_with(t, q, v, projection, metric, Next { rows: Rows::Projected, accelerates: true })
-    }
-
-    /// As [`System::project`], with these rows at the projected positions.
-    #[inline]
-    pub(super) fn project_with(
-        &mut self,
-        t: f64,
-        q: &mut [f64],
-        v: &mut [f64],
-        projection: Projection,
-        metric: Metric,
-        next: Next,
-    ) -> Result<Projected, MotionError> {
-        let mut projected = Projected::default();
-        if projection.positions() {
-            [projected.positions_before, projected.positions_after] = self.move_onto_rows(t, q, metric)?.0;
-        }
-        if projection.velocities() {
-            let mut solved;
-            (projected.velocities_before, solved) = self.move_velocities(t, q, v, metric, next)?;
-            let (removed, correction) = (projected.velocities_before.value, max_abs(&self.buffers.delta));
-            if correction > NEAR_RANK_LOSS * removed
-                && projection.positions()
-                && let Some(again) = self.correct_near_rank_loss(t, q, v, metric, next, removed)?
-            {
-                solved = again;
-            }
-            projected.solved = Some(solved);
-        }
-        Ok(projected)
-    }
-
-    /// Corrects positions and velocities again where the velocity correction just made is one near rank loss.
-    #[cold]
-    #[inline(never)]
-    fn correct_near_rank_loss(
-        &mut self,
-        t: f64,
-        q: &mut [f64],
-        v: &mut [f64],
-        metric: Metric,
-        next: Next,
-        removed: f64,
-    ) -> Result<Option<Solved>, MotionError> {
-        // levers of a millimetre alone make angles a thousand times as large
-        if self.geometry.length_of(&self.buffers.delta) <= NEAR_RANK_LOSS * removed {
-            return Ok(None);
-        }
-        v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v -= delta);
-        for _ in 0..PASSES_NEAR_RANK_LOSS {
-            self.polish_positions_in(t, q, metric)?;
-        }
-        Ok(Some(self.move_velocities(t, q, v, metric, next)?.1))
+        self.projector().project_with(t, q, v, projection, metric, Next { rows: Rows::Projected, accelerates: true })
     }
 
     /// Largest |C(q, t)| over the position constraints; zero without any.
@@ -175,90 +127,7 @@ impl<P: SceneRef> System<P> {
     /// [`MotionError::ProjectionStalled`] when that is not reached in 10 passes, and those of
     /// [`System::accelerations`].
     pub fn project_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<usize, MotionError> {
-        self.move_onto_rows(t, q, metric).map(|(_, passes)| passes)
-    }
-
-    /// [`System::project_positions`], with the worst row before and after.
-    #[inline]
-    fn move_onto_rows(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<([Worst; 2], usize), MotionError> {
-        let n_h = self.info.n_position_rows;
-        body_kind::normalize(&self.info.kinds, q);
-        let before = self.worst_position(t, q);
-        let (mut worst, mut passes, mut solved) = (before, 0, Solved::default());
-        loop {
-            let norm = worst.value;
-            let residual = &self.buffers.residual[..n_h];
-            if self.geometry.is_met(residual)
-                || self.geometry.position_excess(residual, q) <= 1.0
-                    && (passes == MAX_PASSES || passes >= PASSES_TO_ROUNDING && norm <= self.rounding(t, q))
-            {
-                return Ok(([before, worst], passes));
-            }
-            if !norm.is_finite() {
-                return Err(MotionError::NotFinite { t, quantity: "a position constraint".into() });
-            }
-            if passes == MAX_PASSES {
-                if solved.is_rank_deficient && norm <= TOLERANCE_OF_REDUNDANT {
-                    return Ok(([before, worst], passes));
-                }
-                let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
-                return Err(if solved.is_rank_deficient && self.independent_rows_are_met(t, q) {
-                    self.disagreement(t, q, "the positions", norm, tolerance)
-                } else {
-                    let row = self.info.rows[worst.row].name.clone();
-                    MotionError::ProjectionStalled { t, residual: norm, row, passes, tolerance }
-                });
-            }
-            solved = self.correct_positions(t, q, metric)?;
-            passes += 1;
-            worst = self.worst_position(t, q);
-        }
-    }
-
-    /// Whether only redundant rows leave a part of the residual in the buffer: they contradict the others then.
-    fn independent_rows_are_met(&mut self, t: f64, q: &[f64]) -> bool {
-        let n_h = self.info.n_position_rows;
-        let Some(rank) = self.rank_at(t, q, Independent::Above(INDEPENDENT)) else { return true };
-        let rows: Vec<usize> = rank.independent_rows().iter().copied().filter(|row| *row < n_h).collect();
-        let extent = self.geometry.extent(q);
-        rows.iter().all(|&row| self.buffers.residual[row].abs() <= self.geometry.position_tolerance(row, extent))
-    }
-
-    /// Rounding that coordinates leave in the position constraints: of each one, by its slope. A rate of 1e4 rad/s makes large
-    /// angles, but on short levers.
-    fn rounding(&mut self, t: f64, q: &[f64]) -> f64 {
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let Buffers { jacobian, sums: rows, .. } = &mut self.buffers;
-        rows.fill(0.0);
-        let moved = body_kind::coordinates_moved(&self.info.kinds, self.info.n_velocities());
-        for (k, row, column) in self.info.jacobian.entries() {
-            // a part of a quaternion is rounded as its length is
-            let size = if self.info.coordinates[moved[column]].unit == "1" { 1.0 } else { q[moved[column]] };
-            rows[row] += (jacobian[k] * size).abs();
-        }
-        2.0 * f64::EPSILON * max_abs(&rows[..self.info.n_position_rows])
-    }
-
-    /// One pass beyond the tolerance, for positions that are projected.
-    pub(crate) fn polish_positions(&mut self, t: f64, q: &mut [f64]) -> Result<(), MotionError> {
-        self.polish_positions_in(t, q, Metric::Mass)
-    }
-
-    fn polish_positions_in(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<(), MotionError> {
-        self.worst_position(t, q);
-        self.correct_positions(t, q, metric).map(|_| ())
-    }
-
-    /// One pass, for the residual of the position constraints in the buffer.
-    fn correct_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<Solved, MotionError> {
-        let n_h = self.info.n_position_rows;
-        self.buffers.residual[n_h..].fill(0.0);
-        let solved = match metric {
-            Metric::Mass => self.correct(t, q, metric, Rows::Held)?,
-            Metric::Euclidean => self.correct_first(t, q, n_h)?,
-        };
-        body_kind::retract(&self.info.kinds, q, &self.buffers.delta);
-        Ok(solved)
+        self.projector().move_onto_rows(t, q, metric).map(|(_, passes)| passes)
     }
 
     /// Moves `v` onto all rows at velocity level, at the positions `q`, by one linear solve.
@@ -273,7 +142,152 @@ impl<P: SceneRef> System<P> {
         metric: Metric,
     ) -> Result<Solved, MotionError> {
         let next = Next { rows: Rows::Projected, accelerates: false };
-        self.move_velocities(t, q, v, metric, next).map(|(_, solved)| solved)
+        self.projector().move_velocities(t, q, v, metric, next).map(|(_, solved)| solved)
+    }
+
+    /// What brings positions and velocities back onto the rows.
+    #[inline]
+    pub(crate) fn projector(&mut self) -> Projector<'_, P> {
+        Projector { system: self }
+    }
+}
+
+impl<P: SceneRef> Projector<'_, P> {
+    /// As [`System::project`], with these rows at the projected positions.
+    #[inline]
+    pub(super) fn project_with(
+        &mut self,
+        t: f64,
+        q: &mut [f64],
+        v: &mut [f64],
+        projection: Projection,
+        metric: Metric,
+        next: Next,
+    ) -> Result<Projected, MotionError> {
+        let mut projected = Projected::default();
+        if projection.positions() {
+            [projected.positions_before, projected.positions_after] = self.move_onto_rows(t, q, metric)?.0;
+        }
+        if projection.velocities() {
+            let mut solved;
+            (projected.velocities_before, solved) = self.move_velocities(t, q, v, metric, next)?;
+            let (removed, correction) = (projected.velocities_before.value, max_abs(&self.system.buffers.delta));
+            if correction > NEAR_RANK_LOSS * removed
+                && projection.positions()
+                && let Some(again) = self.correct_near_rank_loss(t, q, v, metric, next, removed)?
+            {
+                solved = again;
+            }
+            projected.solved = Some(solved);
+        }
+        Ok(projected)
+    }
+
+    /// Corrects positions and velocities again where the velocity correction just made is one near rank loss.
+    #[cold]
+    #[inline(never)]
+    fn correct_near_rank_loss(
+        &mut self,
+        t: f64,
+        q: &mut [f64],
+        v: &mut [f64],
+        metric: Metric,
+        next: Next,
+        removed: f64,
+    ) -> Result<Option<Solved>, MotionError> {
+        // levers of a millimetre alone make angles a thousand times as large
+        if self.system.geometry.length_of(&self.system.buffers.delta) <= NEAR_RANK_LOSS * removed {
+            return Ok(None);
+        }
+        v.iter_mut().zip(&self.system.buffers.delta).for_each(|(v, delta)| *v -= delta);
+        for _ in 0..PASSES_NEAR_RANK_LOSS {
+            self.polish_positions_in(t, q, metric)?;
+        }
+        Ok(Some(self.move_velocities(t, q, v, metric, next)?.1))
+    }
+
+    /// [`System::project_positions`], with the worst row before and after.
+    #[inline]
+    fn move_onto_rows(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<([Worst; 2], usize), MotionError> {
+        let n_h = self.system.info.n_position_rows;
+        body_kind::normalize(&self.system.info.kinds, q);
+        let before = self.system.worst_position(t, q);
+        let (mut worst, mut passes, mut solved) = (before, 0, Solved::default());
+        loop {
+            let norm = worst.value;
+            let residual = &self.system.buffers.residual[..n_h];
+            if self.system.geometry.is_met(residual)
+                || self.system.geometry.position_excess(residual, q) <= 1.0
+                    && (passes == MAX_PASSES || passes >= PASSES_TO_ROUNDING && norm <= self.rounding(t, q))
+            {
+                return Ok(([before, worst], passes));
+            }
+            if !norm.is_finite() {
+                return Err(MotionError::NotFinite { t, quantity: "a position constraint".into() });
+            }
+            if passes == MAX_PASSES {
+                if solved.is_rank_deficient && norm <= TOLERANCE_OF_REDUNDANT {
+                    return Ok(([before, worst], passes));
+                }
+                let tolerance = self.system.geometry.position_tolerance(worst.row, self.system.geometry.extent(q));
+                return Err(if solved.is_rank_deficient && self.independent_rows_are_met(t, q) {
+                    self.system.diagnosis().disagreement(t, q, "the positions", norm, tolerance)
+                } else {
+                    let row = self.system.info.rows[worst.row].name.clone();
+                    MotionError::ProjectionStalled { t, residual: norm, row, passes, tolerance }
+                });
+            }
+            solved = self.correct_positions(t, q, metric)?;
+            passes += 1;
+            worst = self.system.worst_position(t, q);
+        }
+    }
+
+    /// Whether only redundant rows leave a part of the residual in the buffer: they contradict the others then.
+    fn independent_rows_are_met(&mut self, t: f64, q: &[f64]) -> bool {
+        let n_h = self.system.info.n_position_rows;
+        let Some(rank) = self.system.rank_at(t, q, Independent::Above(INDEPENDENT)) else { return true };
+        let rows: Vec<usize> = rank.independent_rows().iter().copied().filter(|row| *row < n_h).collect();
+        let extent = self.system.geometry.extent(q);
+        rows.iter()
+            .all(|&row| self.system.buffers.residual[row].abs() <= self.system.geometry.position_tolerance(row, extent))
+    }
+
+    /// Rounding that coordinates leave in the position constraints: of each one, by its slope. A rate of 1e4 rad/s makes large
+    /// angles, but on short levers.
+    fn rounding(&mut self, t: f64, q: &[f64]) -> f64 {
+        self.system.scene.velocity_jacobian(&self.system.fixed, t, q, &mut self.system.buffers.jacobian);
+        let Buffers { jacobian, sums: rows, .. } = &mut self.system.buffers;
+        rows.fill(0.0);
+        let moved = body_kind::coordinates_moved(&self.system.info.kinds, self.system.info.n_velocities());
+        for (k, row, column) in self.system.info.jacobian.entries() {
+            // a part of a quaternion is rounded as its length is
+            let size = if self.system.info.coordinates[moved[column]].unit == "1" { 1.0 } else { q[moved[column]] };
+            rows[row] += (jacobian[k] * size).abs();
+        }
+        2.0 * f64::EPSILON * max_abs(&rows[..self.system.info.n_position_rows])
+    }
+
+    /// One pass beyond the tolerance, for positions that are projected.
+    pub(crate) fn polish_positions(&mut self, t: f64, q: &mut [f64]) -> Result<(), MotionError> {
+        self.polish_positions_in(t, q, Metric::Mass)
+    }
+
+    fn polish_positions_in(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<(), MotionError> {
+        self.system.worst_position(t, q);
+        self.correct_positions(t, q, metric).map(|_| ())
+    }
+
+    /// One pass, for the residual of the position constraints in the buffer.
+    fn correct_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<Solved, MotionError> {
+        let n_h = self.system.info.n_position_rows;
+        self.system.buffers.residual[n_h..].fill(0.0);
+        let solved = match metric {
+            Metric::Mass => self.correct(t, q, metric, Rows::Held)?,
+            Metric::Euclidean => self.correct_first(t, q, n_h)?,
+        };
+        body_kind::retract(&self.system.info.kinds, q, &self.system.buffers.delta);
+        Ok(solved)
     }
 
     /// [`System::project_velocities`], with the worst row before; leaves the correction in the buffer.
@@ -286,33 +300,34 @@ impl<P: SceneRef> System<P> {
         metric: Metric,
         next: Next,
     ) -> Result<(Worst, Solved), MotionError> {
-        let accelerates = next.accelerates && metric == Metric::Mass && self.at_with(t, q, next.rows).may_eliminate();
-        if accelerates && let Some(smallest) = self.eliminate_ahead(t, q, v) {
-            let (residual, projected) = self.factors.ahead.velocities();
-            self.buffers.delta.iter_mut().zip(v).zip(projected).for_each(|((delta, v), projected)| {
+        let accelerates =
+            next.accelerates && metric == Metric::Mass && self.system.at_with(t, q, next.rows).may_eliminate();
+        if accelerates && let Some(smallest) = self.system.eliminate_ahead(t, q, v) {
+            let (residual, projected) = self.system.factors.ahead.velocities();
+            self.system.buffers.delta.iter_mut().zip(v).zip(projected).for_each(|((delta, v), projected)| {
                 *delta = projected - *v;
                 *v = *projected;
             });
             return Ok((Worst::of(residual), Solved::regular(smallest)));
         }
-        let worst = self.worst_velocity(t, q, v);
+        let worst = self.system.worst_velocity(t, q, v);
         let solved = if accelerates {
             self.correct_by_factors(t, q, metric, next.rows)?
         } else {
             self.correct(t, q, metric, next.rows)?
         };
-        self.check_velocities(t, q, v, solved)?;
-        v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v += delta);
+        self.system.diagnosis().check_velocities(t, q, v, solved)?;
+        v.iter_mut().zip(&self.system.buffers.delta).for_each(|(v, delta)| *v += delta);
         Ok((worst, solved))
     }
 
     /// Correction for the residual in the buffer, into the buffer.
     #[inline]
     pub(super) fn correct(&mut self, t: f64, q: &[f64], metric: Metric, rows: Rows) -> Result<Solved, MotionError> {
-        if metric == Metric::Mass && self.at_with(t, q, rows).may_eliminate() {
-            let Self { scene, fixed, buffers, .. } = self;
+        if metric == Metric::Mass && self.system.at_with(t, q, rows).may_eliminate() {
+            let System { scene, fixed, buffers, .. } = &mut *self.system;
             let pivots = scene.correction(fixed, t, q, &buffers.residual, &mut buffers.delta);
-            if let Some(smallest) = self.eliminated(pivots) {
+            if let Some(smallest) = self.system.eliminated(pivots) {
                 return Ok(Solved::regular(smallest));
             }
         }
@@ -320,22 +335,22 @@ impl<P: SceneRef> System<P> {
     }
 
     fn correct_by_factors(&mut self, t: f64, q: &[f64], metric: Metric, rows: Rows) -> Result<Solved, MotionError> {
-        let residual = std::mem::take(&mut self.buffers.residual);
-        let mut delta = std::mem::take(&mut self.buffers.delta);
+        let residual = std::mem::take(&mut self.system.buffers.residual);
+        let mut delta = std::mem::take(&mut self.system.buffers.delta);
         let outcome = match metric {
-            Metric::Mass => self.at_with(t, q, rows).solve_correction(&residual, &mut delta),
+            Metric::Mass => self.system.at_with(t, q, rows).solve_correction(&residual, &mut delta),
             Metric::Euclidean => self.euclidean_correction(t, q, &residual, &mut delta),
         };
-        (self.buffers.residual, self.buffers.delta) = (residual, delta);
+        (self.system.buffers.residual, self.system.buffers.delta) = (residual, delta);
         outcome
     }
 
     /// The same for the first rows only, in the Euclidean metric.
     fn correct_first(&mut self, t: f64, q: &[f64], n_rows: usize) -> Result<Solved, MotionError> {
-        let residual = std::mem::take(&mut self.buffers.residual);
-        let mut delta = std::mem::take(&mut self.buffers.delta);
+        let residual = std::mem::take(&mut self.system.buffers.residual);
+        let mut delta = std::mem::take(&mut self.system.buffers.delta);
         let outcome = self.euclidean_correction(t, q, &residual[..n_rows], &mut delta);
-        (self.buffers.residual, self.buffers.delta) = (residual, delta);
+        (self.system.buffers.residual, self.system.buffers.delta) = (residual, delta);
         outcome
     }
 
@@ -347,11 +362,11 @@ impl<P: SceneRef> System<P> {
         residual: &[f64],
         delta: &mut [f64],
     ) -> Result<Solved, MotionError> {
-        self.counters.factorizations += 1;
-        let Self { scene, info, fixed, geometry, buffers, .. } = self;
+        self.system.counters.factorizations += 1;
+        let System { scene, info, fixed, geometry, active, buffers, euclidean, .. } = &mut *self.system;
         scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
-        let euclidean = Euclidean::of(&mut self.euclidean, info, &geometry.units)?;
-        let solved = euclidean.correction(&buffers.jacobian, residual, delta);
+        let euclidean = Euclidean::of(euclidean, info, &geometry.units)?;
+        let solved = euclidean.correction(&buffers.jacobian, residual, active.off(), delta);
         solved.ok_or(MotionError::NotFinite { t, quantity: "the constraint Jacobian".into() })
     }
 }
@@ -408,7 +423,7 @@ mod tests {
         for error in [1e-3, 1e-6] {
             let mut moved: Vec<f64> = q.iter().enumerate().map(|(i, q)| q + error * (1.0 + i as f64).sin()).collect();
             assert!(system.position_residual(0.0, &moved) >= 0.1 * error);
-            system.polish_positions(0.0, &mut moved).unwrap();
+            system.projector().polish_positions(0.0, &mut moved).unwrap();
             assert!(system.position_residual(0.0, &moved) <= 10.0 * error * error, "{error}");
         }
     }

@@ -1,5 +1,6 @@
 //! What there is to tell about rows that depend on each other.
 
+use super::diagnosis::Diagnosis;
 use super::error::rows_or_unknown;
 use super::solved::{Rows, Solved};
 use super::tolerances::rank::{ACCELERATIONS_AGREE, NEARLY_DEPENDENT, VELOCITIES_AGREE};
@@ -48,6 +49,13 @@ impl std::fmt::Display for RankLoss {
 }
 
 impl<P: SceneRef> System<P> {
+    /// The rows that depend on each other at a state. Slow, for reports.
+    pub fn rank_loss(&mut self, t: f64, q: &[f64]) -> RankLoss {
+        self.diagnosis().rank_loss(t, q)
+    }
+}
+
+impl<P: SceneRef> Diagnosis<'_, P> {
     /// Whether rows that a step goes on with nearly depend on each other.
     pub(crate) fn is_nearly_singular(&mut self, t: f64, q: &[f64]) -> bool {
         self.independence(t, q).is_some_and(|independence| independence <= NEARLY_DEPENDENT * NEARLY_DEPENDENT)
@@ -62,7 +70,7 @@ impl<P: SceneRef> System<P> {
     /// other, whatever the masses are. Masses far apart make small pivots of G M⁻¹ Gᵀ everywhere, and no position singular.
     /// `None` in a system too large to tell. Slow.
     pub(crate) fn independence(&mut self, t: f64, q: &[f64]) -> Option<f64> {
-        self.pivot_of_rows(t, q)
+        self.system.pivot_of_rows(t, q)
     }
 
     /// What to say when a motion cannot be continued from a state: where constraints nearly depend on each other, that they do.
@@ -73,31 +81,31 @@ impl<P: SceneRef> System<P> {
             return cause;
         }
         let smallest_pivot = self.independence(t, q);
-        let near = self.rank_at(t, q, Independent::Above(NEARLY_DEPENDENT));
+        let near = self.system.rank_at(t, q, Independent::Above(NEARLY_DEPENDENT));
         match near.map(|rank| rank.dependencies()).filter(|found| found.n > 0) {
             None => cause,
             Some(found) => MotionError::LockedUp {
                 t,
-                rows: found.rows.iter().map(|&i| self.info.rows[i].name.clone()).collect(),
+                rows: found.rows.iter().map(|&i| self.system.info.rows[i].name.clone()).collect(),
                 smallest_pivot: smallest_pivot.unwrap_or(0.0),
                 cause: Box::new(cause),
             },
         }
     }
 
-    /// The rows that depend on each other at a state. Slow, for reports.
-    pub fn rank_loss(&mut self, t: f64, q: &[f64]) -> RankLoss {
-        let (info, n_rows) = (Arc::clone(&self.info), self.info.n_rows());
+    /// As [`System::rank_loss`].
+    pub(super) fn rank_loss(&mut self, t: f64, q: &[f64]) -> RankLoss {
+        let (info, [_, n_rows]) = (Arc::clone(&self.system.info), self.system.n_rows_on());
         let n_coordinates = info.n_velocities();
         let name = |i: usize| info.rows[i].name.clone();
-        match self.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.dependencies()) {
+        match self.system.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.dependencies()) {
             Some(found) => {
                 let rows = found.rows.into_iter().map(name).collect();
                 RankLoss { n_coordinates, n_rows, n_redundant: Some(found.n), rows }
             }
             None => {
                 let is_large = info.n_unknowns() > LARGEST_DIAGNOSED;
-                let row = if is_large { self.at_with(t, q, Rows::Projected).vanished_row() } else { None };
+                let row = if is_large { self.system.at_with(t, q, Rows::Projected).vanished_row() } else { None };
                 RankLoss { n_coordinates, n_rows, n_redundant: None, rows: row.map(name).into_iter().collect() }
             }
         }
@@ -121,7 +129,7 @@ impl<P: SceneRef> System<P> {
         if !solved.is_rank_deficient {
             return Ok(());
         }
-        let before = self.geometry.units.iter().zip(v).map(|(unit, v)| (unit * v).abs());
+        let before = self.system.geometry.units.iter().zip(v).map(|(unit, v)| (unit * v).abs());
         let scale = before.fold(solved.left.scale, f64::max);
         self.check_agreement(t, q, Left { scale, ..solved.left }, "the velocities", VELOCITIES_AGREE)
     }
@@ -139,7 +147,7 @@ impl<P: SceneRef> System<P> {
         }
         let (rows, residual) = (self.rank_loss(t, q).rows, left.rows / left.scale);
         // next to a singular position of the independent rows it is rounding by which redundant ones differ
-        let near = self.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.smallest_pivot());
+        let near = self.system.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.smallest_pivot());
         match near.filter(|pivot| *pivot <= NEARLY_DEPENDENT) {
             Some(pivot) => Err(MotionError::LostInRounding { t, rows, smallest_pivot: Some(pivot * pivot), residual }),
             None => Err(self.disagreement(t, q, level, residual, tolerance)),
@@ -171,10 +179,10 @@ mod tests {
             let scene = tilted::Rests { angle };
             let mut system = System::new(&scene, Backend::Dense).unwrap();
             let q = [0.0; 3];
-            let independence = system.independence(0.0, &q).unwrap();
+            let independence = system.diagnosis().independence(0.0, &q).unwrap();
             assert!((independence / angle.tan().powi(2) - 1.0).abs() <= 1e-12, "{angle}: {independence}");
             assert_eq!(
-                (system.is_nearly_singular(0.0, &q), system.is_far_from_singular(0.0, &q)),
+                (system.diagnosis().is_nearly_singular(0.0, &q), system.diagnosis().is_far_from_singular(0.0, &q)),
                 (is_near, !is_near),
                 "{angle}"
             );
@@ -185,7 +193,7 @@ mod tests {
                 passes: 10,
                 tolerance: 1e-12,
             };
-            let locked = system.locked_up(0.0, &q, stalled());
+            let locked = system.diagnosis().locked_up(0.0, &q, stalled());
             match &locked {
                 MotionError::LockedUp { rows, smallest_pivot, cause, .. } => {
                     assert!(is_near && rows[..] == ["first", "second"] && **cause == stalled(), "{locked}");

@@ -11,7 +11,7 @@ impl<P: SceneRef> System<P> {
         let (n_set, n_rows) = (self.info.n_inputs() + self.info.n_states(), self.info.n_rows());
         archive.numbers(&mut self.fixed[..n_set]);
         archive.numbers(self.integrated.as_flattened_mut());
-        archive.places(&mut self.factors.held, n_rows);
+        archive.places(&mut self.active.held, n_rows);
         archive.number(&mut self.factors.t);
         archive.numbers(&mut self.factors.q);
         let mut of_rows = [Rows::Projected, Rows::Held].map(|rows| self.factors.rows == rows);

@@ -1,6 +1,7 @@
 //! One row at a state that need not meet it.
 
 use super::System;
+use super::diagnosis::Diagnosis;
 use crate::model::{Equations as _, SceneRef};
 
 /// A position constraint of a system, and a state.
@@ -15,17 +16,17 @@ pub(crate) struct SystemRow<'a> {
     pub v: &'a [f64],
 }
 
-impl<P: SceneRef> System<P> {
+impl<P: SceneRef> Diagnosis<'_, P> {
     /// What counts as zero of the row, in its unit.
     pub(crate) fn position_tolerance(&self, of: &SystemRow<'_>) -> f64 {
-        self.geometry.position_tolerance(of.row, self.geometry.extent(of.q))
+        self.system.geometry.position_tolerance(of.row, self.system.geometry.extent(of.q))
     }
 
     /// Second derivative in time of the row under accelerations that need not keep it, in its unit per s²; and what rounding of
     /// the coordinates makes of the row.
     pub(crate) fn row_acceleration(&mut self, of: &SystemRow<'_>, a: &[f64]) -> (f64, f64) {
         let SystemRow { row, t, q, v } = *of;
-        let Self { scene, info, fixed, buffers, .. } = self;
+        let System { scene, info, fixed, buffers, .. } = &mut *self.system;
         scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
         scene.convective_term(fixed, t, q, v, &mut buffers.residual);
         let places = info.jacobian.starts[row]..info.jacobian.starts[row + 1];
@@ -55,7 +56,8 @@ mod tests {
         let v = [0.0, 0.0, 2.0, 0.0, 0.0, -3.0, 0.0, 0.0, 0.0];
         let a = [0.5, -0.7, 1.1, 0.2, 0.3, -0.4, 0.0, 0.0, 0.0];
         let row = system.info.rows.iter().position(|row| row.name == "B.x").unwrap();
-        let (acceleration, rounding) = system.row_acceleration(&SystemRow { row, t: 0.0, q: &q, v: &v }, &a);
+        let (acceleration, rounding) =
+            system.diagnosis().row_acceleration(&SystemRow { row, t: 0.0, q: &q, v: &v }, &a);
         let of_crank = a[0] - a[2] * crank.sin() - 4.0 * crank.cos();
         let of_coupler = a[3] + 1.5 * (a[5] * coupler.sin() + 9.0 * coupler.cos());
         assert!((acceleration.abs() - (of_crank - of_coupler).abs()).abs() <= 1e-14, "{acceleration}");

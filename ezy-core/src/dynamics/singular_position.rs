@@ -1,12 +1,13 @@
 //! Positions in which constraints depend on each other, and not beside them.
 
+use super::diagnosis::Diagnosis;
 use super::tolerances::singular_position::{BESIDE, LEAVES, SHORTEST};
 use super::{Metric, MotionError, Rows, Solved, State, System};
 use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED};
 use crate::model::SceneRef;
 use crate::scalar::GOLDEN_RATIO;
 
-impl<P: SceneRef> System<P> {
+impl<P: SceneRef> Diagnosis<'_, P> {
     /// Whether a motion can begin at a state with accelerations `a`, where rows may be redundant: what is redundant there has to remain
     /// satisfied along the motion for `within_s`.
     ///
@@ -23,25 +24,26 @@ impl<P: SceneRef> System<P> {
         within_s: f64,
     ) -> Result<(), MotionError> {
         let State { t, q, v, .. } = state;
-        let (speed, pull) = (self.geometry.extent_of_velocities(v), self.geometry.extent_of_velocities(a));
-        if !solved.is_rank_deficient || self.info.n_unknowns() > LARGEST_DIAGNOSED || speed + pull == 0.0 {
+        let (speed, pull) =
+            (self.system.geometry.extent_of_velocities(v), self.system.geometry.extent_of_velocities(a));
+        if !solved.is_rank_deficient || self.system.info.n_unknowns() > LARGEST_DIAGNOSED || speed + pull == 0.0 {
             return Ok(());
         }
         let s = within_s.min(2.0 * BESIDE / (speed + (speed * speed + 2.0 * pull * BESIDE).sqrt()));
         let way: Vec<f64> = v.iter().zip(a).map(|(v, a)| s * (v + 0.5 * s * a)).collect();
         let mut there = q.clone();
-        self.retract(&mut there, &way);
+        self.system.retract(&mut there, &way);
         let velocities: Vec<f64> = v.iter().zip(a).map(|(v, a)| v + s * a).collect();
-        let way = self.geometry.extent_of_velocities(&way);
+        let way = self.system.geometry.extent_of_velocities(&way);
         if way < SHORTEST {
             return Ok(());
         }
         let left = self.with_rows_of(*t, q, |system| {
-            system.polish_positions(t + s, &mut there)?;
+            system.projector().polish_positions(t + s, &mut there)?;
             system.worst_velocity(t + s, &there, &velocities);
-            system.correct(t + s, &there, Metric::Mass, Rows::Held).map(|solved| solved.left)
+            system.projector().correct(t + s, &there, Metric::Mass, Rows::Held).map(|solved| solved.left)
         })?;
-        let size = self.geometry.units.iter().zip(&velocities).map(|(unit, v)| (unit * v).abs());
+        let size = self.system.geometry.units.iter().zip(&velocities).map(|(unit, v)| (unit * v).abs());
         let share = left.rows / size.fold(left.scale, f64::max);
         if share <= LEAVES * way || !self.is_singular_position(*t, q) {
             return Ok(());
@@ -53,21 +55,22 @@ impl<P: SceneRef> System<P> {
     /// Whether rows depend on each other at a configuration, but not beside it on a motion that the independent ones allow.
     #[cold]
     pub(super) fn is_singular_position(&mut self, t: f64, q: &[f64]) -> bool {
-        let here = self.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| (rank.rank(), rank.n_redundant()));
+        let here =
+            self.system.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| (rank.rank(), rank.n_redundant()));
         let Some((rank, 1..)) = here else { return false };
         // a direction without symmetry
-        let units = self.geometry.units.iter().enumerate();
+        let units = self.system.geometry.units.iter().enumerate();
         let mut way: Vec<f64> = units.map(|(i, unit)| ((i + 1) as f64 * GOLDEN_RATIO).fract() / unit).collect();
-        if self.project_onto_null_space(t, q, &mut way).is_err() {
+        if self.system.project_onto_null_space(t, q, &mut way).is_err() {
             return false;
         }
-        let share = BESIDE / self.geometry.extent_of_velocities(&way);
+        let share = BESIDE / self.system.geometry.extent_of_velocities(&way);
         way.iter_mut().for_each(|way| *way *= share);
         let mut there = q.to_vec();
-        self.retract(&mut there, &way);
+        self.system.retract(&mut there, &way);
         // of an error of 1e-6 one correction leaves 1e-12
-        let corrected = self.with_rows_of(t, q, |system| system.polish_positions(t, &mut there));
-        let beside = self.rank_at(t, &there, Independent::Above(INDEPENDENT)).map(|rank| rank.rank());
+        let corrected = self.with_rows_of(t, q, |system| system.projector().polish_positions(t, &mut there));
+        let beside = self.system.rank_at(t, &there, Independent::Above(INDEPENDENT)).map(|rank| rank.rank());
         corrected.is_ok() && beside.is_some_and(|beside| beside > rank)
     }
 
@@ -89,12 +92,12 @@ impl<P: SceneRef> System<P> {
     }
 
     /// Holds the rows that are independent at a configuration, for as long as `ask` runs.
-    fn with_rows_of<T>(&mut self, t: f64, q: &[f64], ask: impl FnOnce(&mut Self) -> T) -> T {
-        let held = std::mem::take(&mut self.factors.held);
-        self.hold_rows(t, q, true);
-        let answer = ask(self);
-        self.factors.held = held;
-        self.factors.forget();
+    fn with_rows_of<T>(&mut self, t: f64, q: &[f64], ask: impl FnOnce(&mut System<P>) -> T) -> T {
+        let held = std::mem::take(&mut self.system.active.held);
+        self.system.hold_rows(t, q, true);
+        let answer = ask(self.system);
+        self.system.active.held = held;
+        self.system.factors.forget();
         answer
     }
 }
@@ -131,7 +134,7 @@ mod tests {
             [(1.0, 0.0), (1e-6, 0.0), (100.0, 0.0), (0.0, 1.0), (0.0, 1e-6), (0.0, 1e4), (0.1, 1.0)]
         {
             state.v = motion(rate);
-            let refused = system.check_beginning(&state, &motion(acceleration), solved, f64::INFINITY);
+            let refused = system.diagnosis().check_beginning(&state, &motion(acceleration), solved, f64::INFINITY);
             let Err(MotionError::SingularPosition { residual, .. }) = refused else {
                 panic!("{rate} {acceleration}: {refused:?}")
             };

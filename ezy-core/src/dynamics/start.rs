@@ -1,5 +1,6 @@
 //! A start that fulfils the constraints, from values that are given only in part.
 
+use super::assembly::Assembly;
 use super::moved::MovedValue;
 use super::tolerances::geometry::LARGEST_VALUE;
 use super::tolerances::start::{LARGEST_TURN, LAST_DIGITS, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
@@ -48,210 +49,9 @@ impl<P: SceneRef> System<P> {
     /// # Cost
     /// A dense singular value decomposition a pass; beyond 150 coordinates a sparse factorisation.
     pub fn consistent_start(&mut self, start: &Start) -> Result<State, StartError> {
-        self.check_finite(start)?;
-        let (n_z, n_effects) = (self.info.n_states(), self.info.n_effects());
-        let mut state = State::zeros([self.info.n_coordinates(), self.info.n_velocities()], n_z, n_effects);
-        state.t = start.t;
-        let given = start.z.iter().copied().map(Some).chain(std::iter::repeat(None));
-        let values = self.info.states.iter().zip(given).map(|(declared, given)| given.unwrap_or(declared.default));
-        state.z.iter_mut().zip(values).for_each(|(z, value)| *z = value);
-        self.place_states(&state.z);
-        state.q.copy_from_slice(&start.q);
-        body_kind::normalize(&self.info.kinds, &mut state.q);
-        state.v.copy_from_slice(&start.v);
-        let free = start.without_near();
-        if let Err(error) = self.assemble_positions(start, &mut state.q) {
-            let Some(free) = &free else { return Err(error) };
-            let guess = state.q.clone();
-            // from the best that could be done while they were held; centres give way before angles
-            let mut angles = start.clone();
-            (0..angles.q.len()).filter(|&i| self.geometry.lengths[i]).for_each(|i| angles.q_given[i] = free.q_given[i]);
-            if self.assemble_positions(&angles, &mut state.q).is_err() {
-                self.assemble_positions(free, &mut state.q)?;
-                self.check_mode(start, &guess, &state)?;
-            }
-        }
-        self.assemble_velocities(start, &state.q, &mut state.v).or_else(|error| match &free {
-            Some(free) => self.assemble_velocities(free, &state.q, &mut state.v),
-            None => Err(error),
-        })?;
-        Ok(state)
+        self.assembly().consistent_start(start)
     }
 
-    fn check_finite(&self, start: &Start) -> Result<(), StartError> {
-        let positions = self.info.coordinates.iter().map(|c| &c.name).zip(&start.q);
-        let velocities = self.info.velocities.iter().map(|c| &c.name).zip(&start.v);
-        let (expected, found) = (self.info.n_states(), start.z.len());
-        if found > expected {
-            return Err(StartError::States { expected, found });
-        }
-        if let Some(body) = body_kind::without_attitude(&self.info.kinds, &start.q) {
-            return Err(StartError::NoAttitude { body: self.info.bodies[body].clone() });
-        }
-        let states = self.info.states.iter().map(|state| state.name).zip(&start.z);
-        if let Some((name, &value)) = states.clone().find(|(_, value)| !value.is_finite()) {
-            return Err(StartError::NotFinite { name: name.into(), value });
-        }
-        for (name, &value) in positions.chain(velocities) {
-            if !value.is_finite() {
-                return Err(StartError::NotFinite { name: name.clone(), value });
-            }
-            if value.abs() > LARGEST_VALUE {
-                return Err(StartError::TooLarge { name: name.clone(), value, largest: LARGEST_VALUE });
-            }
-        }
-        Ok(())
-    }
-
-    fn assemble_positions(&mut self, start: &Start, q: &mut [f64]) -> Result<(), StartError> {
-        let held = body_kind::held(&self.info.kinds, &start.q_given);
-        let mut left = self.approach(start.t, &held, q);
-        let mut trial = q.to_vec();
-        for n in 0..MAX_NUDGES {
-            if left.is_met() || held.iter().all(|held| *held) {
-                break;
-            }
-            trial.copy_from_slice(q);
-            self.perturb(&mut trial, &held, left.share, n);
-            let other = self.approach(start.t, &held, &mut trial);
-            if other.is_met() || left.length.is_nan() || other.length < left.length {
-                q.copy_from_slice(&trial);
-                left = other;
-            }
-        }
-        if left.is_met() {
-            return Ok(());
-        }
-        self.position_residual(start.t, q);
-        let held =
-            start.q_given.iter().zip(&*self.info.coordinates).filter(|(given, _)| **given).map(|(_, c)| c.name.clone());
-        let extent = self.geometry.extent(q);
-        let tolerances = (0..self.info.n_position_rows).map(|row| self.geometry.position_tolerance(row, extent));
-        Err(self.contradiction("position", &tolerances.collect::<Vec<_>>(), held.collect()))
-    }
-
-    /// Gauss–Newton from `q` as far as it goes, with steps halved until they shorten the residual. Rows that are met at the
-    /// first look leave `q` alone; else one pass more, for rounding, follows the one that meets them. What is `held` (`n_v`) does not move.
-    fn approach(&mut self, t: f64, held: &[bool], q: &mut [f64]) -> Residual {
-        let n_h = self.info.n_position_rows;
-        let (mut trial, mut part) = (q.to_vec(), vec![0.0; held.len()]);
-        let mut left = self.position_residual_at(t, q);
-        if left.is_met() {
-            return left;
-        }
-        for _ in 0..MAX_PASSES {
-            let is_last = left.is_met();
-            self.position_residual(t, q);
-            let Some(step) = self.free_correction(t, q, n_h, held) else { break };
-            let turns = step.iter().zip(&self.geometry.turns).filter(|(_, turns)| **turns);
-            let turn = turns.fold(0.0, |turn: f64, (angle, _)| turn.max(angle.abs()));
-            // a least-squares step shortens the vector of residuals, not always the largest of them
-            let mut fraction = (LARGEST_TURN / turn).min(1.0);
-            let mut improved = false;
-            for _ in 0..MAX_HALVINGS {
-                trial.copy_from_slice(q);
-                part.iter_mut().zip(&step).for_each(|(part, step)| *part = fraction * step);
-                self.retract(&mut trial, &part);
-                let there = self.position_residual_at(t, &trial);
-                if there.length < left.length {
-                    q.copy_from_slice(&trial);
-                    left = there;
-                    improved = true;
-                    break;
-                }
-                fraction *= 0.5;
-            }
-            if is_last || !improved {
-                break;
-            }
-        }
-        left
-    }
-
-    fn position_residual_at(&mut self, t: f64, q: &[f64]) -> Residual {
-        self.position_residual(t, q);
-        let residual = &self.buffers.residual[..self.info.n_position_rows];
-        Residual {
-            excess: self.geometry.position_excess(residual, q),
-            share: self.geometry.share(residual),
-            length: self.residual_length(residual.len()),
-        }
-    }
-
-    /// Moves what is not `held` (`n_v`): angles by up to [`LARGEST_TURN`], lengths by up to `share` of the mechanism's, the residual (all of it
-    /// where that is not a number). The amounts are multiples of the golden ratio without their whole parts, which fill an interval evenly.
-    fn perturb(&self, q: &mut [f64], held: &[bool], share: f64, n: usize) {
-        let length = self.geometry.length * if share.is_finite() { share } else { 1.0 };
-        let mut by = vec![0.0; held.len()];
-        for (i, by) in by.iter_mut().enumerate().filter(|(i, _)| !held[*i]) {
-            let amount = 2.0 * ((n * held.len() + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
-            *by = amount * if self.geometry.turns[i] { LARGEST_TURN } else { length };
-        }
-        self.retract(q, &by);
-    }
-
-    fn assemble_velocities(&mut self, start: &Start, q: &[f64], v: &mut [f64]) -> Result<(), StartError> {
-        let (t, n_c) = (start.t, self.info.n_rows());
-        let mut trial = vec![0.0; v.len()];
-        // what moves by itself: rows that depend on time
-        self.velocity_residual(t, q, &trial);
-        let drive = self.geometry.share(&self.buffers.residual);
-        // where the guess can only come to rest, what is left of it is rounding
-        let drive = drive.max(self.geometry.extent_of_velocities(&start.v));
-        let mut excess = self.velocity_excess(t, q, v, drive);
-        let mut length = self.residual_length(n_c);
-        for _ in 0..MAX_PASSES {
-            if excess <= 1.0 {
-                return Ok(());
-            }
-            self.velocity_residual(t, q, v);
-            let Some(step) = self.free_correction(t, q, n_c, &start.v_given) else { break };
-            trial.iter_mut().zip(v.iter()).zip(&step).for_each(|((x, v), s)| *x = v + s);
-            let trial_excess = self.velocity_excess(t, q, &trial, drive);
-            let trial_length = self.residual_length(n_c);
-            if trial_length.is_nan() || trial_length >= length {
-                break;
-            }
-            v.copy_from_slice(&trial);
-            (excess, length) = (trial_excess, trial_length);
-        }
-        if excess <= 1.0 {
-            return Ok(());
-        }
-        self.velocity_residual(t, q, v);
-        let names = self.info.velocities.iter().map(|c| &c.name);
-        let held = start.v_given.iter().zip(names).filter(|(given, _)| **given).map(|(_, name)| name.clone());
-        let extent = self.geometry.extent_of_velocities(v).max(drive);
-        let tolerances = (0..n_c).map(|row| self.geometry.velocity_tolerance(row, extent));
-        Err(self.contradiction("velocity", &tolerances.collect::<Vec<_>>(), held.collect()))
-    }
-
-    fn velocity_excess(&mut self, t: f64, q: &[f64], v: &[f64], drive: f64) -> f64 {
-        self.velocity_residual(t, q, v);
-        self.geometry.velocity_excess(&self.buffers.residual, self.geometry.extent_of_velocities(v).max(drive))
-    }
-
-    /// Euclidean length of the first residuals in the buffer, in units of the sizes of their rows.
-    fn residual_length(&self, n_rows: usize) -> f64 {
-        let rows = self.buffers.residual[..n_rows].iter().zip(&self.geometry.sizes);
-        rows.map(|(r, size)| (r / size).powi(2)).sum::<f64>().sqrt()
-    }
-
-    /// Names the rows whose residual in the buffer exceeds its tolerance, or one that is no number.
-    fn contradiction(&self, level: &'static str, tolerances: &[f64], held: Vec<Name>) -> StartError {
-        let residual = &self.buffers.residual[..tolerances.len()];
-        if let Some(i) = residual.iter().position(|r| !r.is_finite()) {
-            return StartError::UndefinedRow { row: self.info.rows[i].name.clone() };
-        }
-        let mut rows: Vec<usize> = (0..residual.len()).filter(|&i| residual[i].abs() > tolerances[i]).collect();
-        rows.sort_by(|&i, &j| residual[j].abs().total_cmp(&residual[i].abs()));
-        let tolerance = rows.first().map_or(0.0, |&row| tolerances[row]);
-        let rows = rows.into_iter().map(|i| self.info.rows[i].name.clone()).collect();
-        StartError::Contradiction { level, rows, residual: max_abs(residual), tolerance, held }
-    }
-}
-
-impl<P: SceneRef> System<P> {
     /// The given values of `start` that changed when `state` was assembled from it, coordinates first. Those that only got their last
     /// digits (1e-6 rad, or as much of the longest lever; of the largest velocity for velocities) are left out.
     pub fn moved_values(&self, start: &Start, state: &State) -> Vec<MovedValue> {
@@ -270,6 +70,223 @@ impl<P: SceneRef> System<P> {
     }
 }
 
+impl<P: SceneRef> Assembly<'_, P> {
+    /// As [`System::consistent_start`].
+    fn consistent_start(&mut self, start: &Start) -> Result<State, StartError> {
+        self.check_finite(start)?;
+        let (n_z, n_effects) = (self.system.info.n_states(), self.system.info.n_effects());
+        let mut state =
+            State::zeros([self.system.info.n_coordinates(), self.system.info.n_velocities()], n_z, n_effects);
+        state.t = start.t;
+        let given = start.z.iter().copied().map(Some).chain(std::iter::repeat(None));
+        let values =
+            self.system.info.states.iter().zip(given).map(|(declared, given)| given.unwrap_or(declared.default));
+        state.z.iter_mut().zip(values).for_each(|(z, value)| *z = value);
+        self.system.place_states(&state.z);
+        state.q.copy_from_slice(&start.q);
+        body_kind::normalize(&self.system.info.kinds, &mut state.q);
+        state.v.copy_from_slice(&start.v);
+        let free = start.without_near();
+        if let Err(error) = self.assemble_positions(start, &mut state.q) {
+            let Some(free) = &free else { return Err(error) };
+            let guess = state.q.clone();
+            // from the best that could be done while they were held; centres give way before angles
+            let mut angles = start.clone();
+            (0..angles.q.len())
+                .filter(|&i| self.system.geometry.lengths[i])
+                .for_each(|i| angles.q_given[i] = free.q_given[i]);
+            if self.assemble_positions(&angles, &mut state.q).is_err() {
+                self.assemble_positions(free, &mut state.q)?;
+                self.check_mode(start, &guess, &state)?;
+            }
+        }
+        self.assemble_velocities(start, &state.q, &mut state.v).or_else(|error| match &free {
+            Some(free) => self.assemble_velocities(free, &state.q, &mut state.v),
+            None => Err(error),
+        })?;
+        Ok(state)
+    }
+
+    fn check_finite(&self, start: &Start) -> Result<(), StartError> {
+        let positions = self.system.info.coordinates.iter().map(|c| &c.name).zip(&start.q);
+        let velocities = self.system.info.velocities.iter().map(|c| &c.name).zip(&start.v);
+        let (expected, found) = (self.system.info.n_states(), start.z.len());
+        if found > expected {
+            return Err(StartError::States { expected, found });
+        }
+        if let Some(body) = body_kind::without_attitude(&self.system.info.kinds, &start.q) {
+            return Err(StartError::NoAttitude { body: self.system.info.bodies[body].clone() });
+        }
+        let states = self.system.info.states.iter().map(|state| state.name).zip(&start.z);
+        if let Some((name, &value)) = states.clone().find(|(_, value)| !value.is_finite()) {
+            return Err(StartError::NotFinite { name: name.into(), value });
+        }
+        for (name, &value) in positions.chain(velocities) {
+            if !value.is_finite() {
+                return Err(StartError::NotFinite { name: name.clone(), value });
+            }
+            if value.abs() > LARGEST_VALUE {
+                return Err(StartError::TooLarge { name: name.clone(), value, largest: LARGEST_VALUE });
+            }
+        }
+        Ok(())
+    }
+
+    fn assemble_positions(&mut self, start: &Start, q: &mut [f64]) -> Result<(), StartError> {
+        let held = body_kind::held(&self.system.info.kinds, &start.q_given);
+        let mut left = self.approach(start.t, &held, q);
+        let mut trial = q.to_vec();
+        for n in 0..MAX_NUDGES {
+            if left.is_met() || held.iter().all(|held| *held) {
+                break;
+            }
+            trial.copy_from_slice(q);
+            self.perturb(&mut trial, &held, left.share, n);
+            let other = self.approach(start.t, &held, &mut trial);
+            if other.is_met() || left.length.is_nan() || other.length < left.length {
+                q.copy_from_slice(&trial);
+                left = other;
+            }
+        }
+        if left.is_met() {
+            return Ok(());
+        }
+        self.system.position_residual(start.t, q);
+        let held = start
+            .q_given
+            .iter()
+            .zip(&*self.system.info.coordinates)
+            .filter(|(given, _)| **given)
+            .map(|(_, c)| c.name.clone());
+        let extent = self.system.geometry.extent(q);
+        let tolerances =
+            (0..self.system.info.n_position_rows).map(|row| self.system.geometry.position_tolerance(row, extent));
+        Err(self.contradiction("position", &tolerances.collect::<Vec<_>>(), held.collect()))
+    }
+
+    /// Gauss–Newton from `q` as far as it goes, with steps halved until they shorten the residual. Rows that are met at the
+    /// first look leave `q` alone; else one pass more, for rounding, follows the one that meets them. What is `held` (`n_v`) does not move.
+    fn approach(&mut self, t: f64, held: &[bool], q: &mut [f64]) -> Residual {
+        let n_h = self.system.info.n_position_rows;
+        let (mut trial, mut part) = (q.to_vec(), vec![0.0; held.len()]);
+        let mut left = self.position_residual_at(t, q);
+        if left.is_met() {
+            return left;
+        }
+        for _ in 0..MAX_PASSES {
+            let is_last = left.is_met();
+            self.system.position_residual(t, q);
+            let Some(step) = self.free_correction(t, q, n_h, held) else { break };
+            let turns = step.iter().zip(&self.system.geometry.turns).filter(|(_, turns)| **turns);
+            let turn = turns.fold(0.0, |turn: f64, (angle, _)| turn.max(angle.abs()));
+            // a least-squares step shortens the vector of residuals, not always the largest of them
+            let mut fraction = (LARGEST_TURN / turn).min(1.0);
+            let mut improved = false;
+            for _ in 0..MAX_HALVINGS {
+                trial.copy_from_slice(q);
+                part.iter_mut().zip(&step).for_each(|(part, step)| *part = fraction * step);
+                self.system.retract(&mut trial, &part);
+                let there = self.position_residual_at(t, &trial);
+                if there.length < left.length {
+                    q.copy_from_slice(&trial);
+                    left = there;
+                    improved = true;
+                    break;
+                }
+                fraction *= 0.5;
+            }
+            if is_last || !improved {
+                break;
+            }
+        }
+        left
+    }
+
+    fn position_residual_at(&mut self, t: f64, q: &[f64]) -> Residual {
+        self.system.position_residual(t, q);
+        let residual = &self.system.buffers.residual[..self.system.info.n_position_rows];
+        Residual {
+            excess: self.system.geometry.position_excess(residual, q),
+            share: self.system.geometry.share(residual),
+            length: self.residual_length(residual.len()),
+        }
+    }
+
+    /// Moves what is not `held` (`n_v`): angles by up to [`LARGEST_TURN`], lengths by up to `share` of the mechanism's, the residual (all of it
+    /// where that is not a number). The amounts are multiples of the golden ratio without their whole parts, which fill an interval evenly.
+    fn perturb(&self, q: &mut [f64], held: &[bool], share: f64, n: usize) {
+        let length = self.system.geometry.length * if share.is_finite() { share } else { 1.0 };
+        let mut by = vec![0.0; held.len()];
+        for (i, by) in by.iter_mut().enumerate().filter(|(i, _)| !held[*i]) {
+            let amount = 2.0 * ((n * held.len() + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
+            *by = amount * if self.system.geometry.turns[i] { LARGEST_TURN } else { length };
+        }
+        self.system.retract(q, &by);
+    }
+
+    fn assemble_velocities(&mut self, start: &Start, q: &[f64], v: &mut [f64]) -> Result<(), StartError> {
+        let (t, n_c) = (start.t, self.system.info.n_rows());
+        let mut trial = vec![0.0; v.len()];
+        // what moves by itself: rows that depend on time
+        self.system.velocity_residual(t, q, &trial);
+        let drive = self.system.geometry.share(&self.system.buffers.residual);
+        // where the guess can only come to rest, what is left of it is rounding
+        let drive = drive.max(self.system.geometry.extent_of_velocities(&start.v));
+        let mut excess = self.velocity_excess(t, q, v, drive);
+        let mut length = self.residual_length(n_c);
+        for _ in 0..MAX_PASSES {
+            if excess <= 1.0 {
+                return Ok(());
+            }
+            self.system.velocity_residual(t, q, v);
+            let Some(step) = self.free_correction(t, q, n_c, &start.v_given) else { break };
+            trial.iter_mut().zip(v.iter()).zip(&step).for_each(|((x, v), s)| *x = v + s);
+            let trial_excess = self.velocity_excess(t, q, &trial, drive);
+            let trial_length = self.residual_length(n_c);
+            if trial_length.is_nan() || trial_length >= length {
+                break;
+            }
+            v.copy_from_slice(&trial);
+            (excess, length) = (trial_excess, trial_length);
+        }
+        if excess <= 1.0 {
+            return Ok(());
+        }
+        self.system.velocity_residual(t, q, v);
+        let names = self.system.info.velocities.iter().map(|c| &c.name);
+        let held = start.v_given.iter().zip(names).filter(|(given, _)| **given).map(|(_, name)| name.clone());
+        let extent = self.system.geometry.extent_of_velocities(v).max(drive);
+        let tolerances = (0..n_c).map(|row| self.system.geometry.velocity_tolerance(row, extent));
+        Err(self.contradiction("velocity", &tolerances.collect::<Vec<_>>(), held.collect()))
+    }
+
+    fn velocity_excess(&mut self, t: f64, q: &[f64], v: &[f64], drive: f64) -> f64 {
+        self.system.velocity_residual(t, q, v);
+        self.system
+            .geometry
+            .velocity_excess(&self.system.buffers.residual, self.system.geometry.extent_of_velocities(v).max(drive))
+    }
+
+    /// Euclidean length of the first residuals in the buffer, in units of the sizes of their rows.
+    fn residual_length(&self, n_rows: usize) -> f64 {
+        let rows = self.system.buffers.residual[..n_rows].iter().zip(&self.system.geometry.sizes);
+        rows.map(|(r, size)| (r / size).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// Names the rows whose residual in the buffer exceeds its tolerance, or one that is no number.
+    fn contradiction(&self, level: &'static str, tolerances: &[f64], held: Vec<Name>) -> StartError {
+        let residual = &self.system.buffers.residual[..tolerances.len()];
+        if let Some(i) = residual.iter().position(|r| !r.is_finite()) {
+            return StartError::UndefinedRow { row: self.system.info.rows[i].name.clone() };
+        }
+        let mut rows: Vec<usize> = (0..residual.len()).filter(|&i| residual[i].abs() > tolerances[i]).collect();
+        rows.sort_by(|&i, &j| residual[j].abs().total_cmp(&residual[i].abs()));
+        let tolerance = rows.first().map_or(0.0, |&row| tolerances[row]);
+        let rows = rows.into_iter().map(|i| self.system.info.rows[i].name.clone()).collect();
+        StartError::Contradiction { level, rows, residual: max_abs(residual), tolerance, held }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -281,14 +298,14 @@ mod tests {
     #[test]
     fn analytic_moved_guesses_fill_the_neighbourhood() {
         let scene = linkage::Turns::default();
-        let system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
         let (share, longest) = (0.1, system.geometry.length);
         let mut given = [false; 9];
         given[2] = true;
         let mut parts = Vec::new();
         for n in 0..25 {
             let mut q = [5.0; 9];
-            system.perturb(&mut q, &given, share, n);
+            system.assembly().perturb(&mut q, &given, share, n);
             assert_eq!(q[2], 5.0, "what is given stays");
             let moved = q.iter().enumerate().filter(|(i, _)| *i != 2);
             parts.extend(moved.map(|(i, q)| (q - 5.0) / if i % 3 == 2 { LARGEST_TURN } else { share * longest }));
@@ -303,9 +320,9 @@ mod tests {
         );
         // a residual that is no number tells no size: the longest lever is taken
         let mut q = [0.0; 9];
-        system.perturb(&mut q, &given, f64::NAN, 0);
+        system.assembly().perturb(&mut q, &given, f64::NAN, 0);
         let mut by_one = [0.0; 9];
-        system.perturb(&mut by_one, &given, 1.0, 0);
+        system.assembly().perturb(&mut by_one, &given, 1.0, 0);
         assert_eq!(q, by_one);
     }
 }

@@ -1,6 +1,6 @@
 //! What moves a scene hardest at one state: for messages about runs that cannot be continued.
 
-use super::System;
+use super::diagnosis::Diagnosis;
 use crate::model::{Equations as _, Name, SceneRef, body_kind};
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
@@ -58,7 +58,7 @@ impl std::fmt::Display for Strain {
     }
 }
 
-impl<P: SceneRef> System<P> {
+impl<P: SceneRef> Diagnosis<'_, P> {
     /// What moves the scene hardest at a state with accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`); none where
     /// nothing with a mass is accelerated by a finite amount.
     ///
@@ -66,12 +66,12 @@ impl<P: SceneRef> System<P> {
     /// One evaluation of forces and Jacobian, and allocations.
     pub(crate) fn strain(&mut self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64]) -> Option<Strain> {
         let mut applied = vec![0.0; a.len()];
-        self.scene.applied_force(&self.fixed, t, q, v, &mut applied);
-        let root = |i: usize| self.mass[i].sqrt();
+        self.system.scene.applied_force(&self.system.fixed, t, q, v, &mut applied);
+        let root = |i: usize| self.system.mass[i].sqrt();
         let accelerations = || (0..a.len()).map(|i| root(i) * a[i].abs());
         let forces = || applied.iter().enumerate().map(|(i, force)| force.abs() / root(i));
         let (i, _) = largest(accelerations())?;
-        let info = Arc::clone(&self.info);
+        let info = Arc::clone(&self.system.info);
         let moved = body_kind::coordinates_moved(&info.kinds, a.len());
         let coordinate = |i: usize| info.coordinates[moved[i]].name.clone();
         let source = match largest(forces()) {
@@ -81,23 +81,23 @@ impl<P: SceneRef> System<P> {
             }
             _ => self.largest_reaction(t, q, i, lambda)?,
         };
-        let unit = if self.geometry.turns[i] { "rad" } else { "m" };
+        let unit = if self.system.geometry.turns[i] { "rad" } else { "m" };
         Some(Strain { coordinate: coordinate(i), acceleration: a[i], unit, source })
     }
 
     /// On coordinate `i`; none without rows.
     fn largest_reaction(&mut self, t: f64, q: &[f64], i: usize, lambda: &[f64]) -> Option<StrainSource> {
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let entries = self.info.jacobian.entries().filter(|(_, _, column)| *column == i);
-        let reactions = entries.map(|(k, row, _)| (row, -self.buffers.jacobian[k] * lambda[row]));
+        self.system.scene.velocity_jacobian(&self.system.fixed, t, q, &mut self.system.buffers.jacobian);
+        let entries = self.system.info.jacobian.entries().filter(|(_, _, column)| *column == i);
+        let reactions = entries.map(|(k, row, _)| (row, -self.system.buffers.jacobian[k] * lambda[row]));
         let (row, force) = reactions.max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()))?;
-        Some(StrainSource::Reaction { row: self.info.rows[row].name.clone(), force })
+        Some(StrainSource::Reaction { row: self.system.info.rows[row].name.clone(), force })
     }
 
     fn busiest_effect(&self, t: f64, q: &[f64], v: &[f64], lambda: &[f64]) -> Option<&'static str> {
-        let mut power = vec![0.0; self.info.n_effects()];
-        self.power(t, q, v, lambda, &mut power);
-        largest(power.iter().map(|power| power.abs())).map(|(i, _)| self.info.effects[i].name)
+        let mut power = vec![0.0; self.system.info.n_effects()];
+        self.system.power(t, q, v, lambda, &mut power);
+        largest(power.iter().map(|power| power.abs())).map(|(i, _)| self.system.info.effects[i].name)
     }
 }
 

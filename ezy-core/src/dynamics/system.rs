@@ -1,6 +1,7 @@
 //! A scene with its constants, solver and buffers.
 
 use super::SystemError;
+use super::active_set::ActiveSet;
 use super::euclidean::Euclidean;
 use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
@@ -27,6 +28,7 @@ pub struct System<P: SceneRef> {
     pub(super) mass: Vec<f64>,
     pub(super) geometry: Geometry,
     pub(super) solver: Solver,
+    pub(super) active: ActiveSet,
     pub(super) factors: Factors,
     /// The least pivot since someone asked.
     pub(super) least_pivot: f64,
@@ -84,7 +86,9 @@ impl<P: SceneRef> System<P> {
         fixed.iter_mut().zip(declared).for_each(|(value, declared)| *value = declared.default);
         let integrated =
             info.integrated_inputs.iter().map(|&i| SceneInfo::integrated_places(i).map(|place| fixed[place])).collect();
-        scene.constants(parameters, &mut fixed);
+        // a row that is off at the start counts for what is measured here
+        let active = ActiveSet::new(&info, parameters);
+        scene.constants(&active.with_all_rows(&info), &mut fixed);
         let [n_q, n_v, n_c] = [info.n_coordinates(), info.n_velocities(), info.n_rows()];
         let mut mass = vec![0.0; n_v];
         scene.mass_matrix(&fixed, &mut mass);
@@ -101,11 +105,15 @@ impl<P: SceneRef> System<P> {
         if is_out_of_range && backend == Backend::Generated {
             return Err(SystemError::OutOfRange { scene: info.name });
         }
+        if !info.switches.is_empty() {
+            scene.constants(parameters, &mut fixed);
+        }
         let needs_pivots = is_out_of_range || geometry.lightness(&mass) < LIGHTEST;
         Ok(Self {
             scene,
             solver: solver(&info, &mass, needs_pivots, backend)?,
             geometry,
+            active,
             factors: Factors::new([n_q, n_v], n_c, jacobian.clone()),
             least_pivot: 1.0,
             fixed,

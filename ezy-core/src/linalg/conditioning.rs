@@ -33,13 +33,20 @@ impl ConditionEstimator {
         Self { kkt, scale: vec![1.0; n], x: vec![0.0; n], sums: vec![0.0; n] }
     }
 
-    /// Of K with the diagonal `mass` (`n_q`) and the entries `jacobian` of G in the order of `pattern`.
+    /// Of K with the diagonal `mass` (`n_q`) and the entries `jacobian` of G in the order of `pattern`, without the rows that are `off`,
+    /// whose entries are zero.
     ///
     /// # Source
     /// Hager, SIAM J. Sci. Stat. Comput. 5 (1984); Higham, Accuracy and Stability of Numerical Algorithms (2002), algorithm
     /// 15.1, for a symmetric matrix.
-    pub(crate) fn estimate(&mut self, mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Conditioning {
-        let factored = self.kkt.factor(mass, jacobian, Independent::Above(INDEPENDENT));
+    pub(crate) fn estimate(
+        &mut self,
+        mass: &[f64],
+        pattern: &SparsityPattern,
+        jacobian: &[f64],
+        off: &[usize],
+    ) -> Conditioning {
+        let factored = self.kkt.factor(mass, jacobian, Independent::Above(INDEPENDENT), off);
         if factored.is_err() || self.kkt.rank().n_redundant() > 0 {
             return Conditioning { condition: f64::INFINITY, pivot: 0.0, row: None };
         }
@@ -132,7 +139,7 @@ mod tests {
     #[test]
     fn analytic_condition_of_one_held_coordinate() {
         // K⁻¹ = [0 0 1; 0 1 0; 1 0 −1]: both norms are 2
-        let found = ConditionEstimator::new(&[1.0; 2], &ONE_ROW).estimate(&[1.0, 1.0], &ONE_ROW, &[1.0]);
+        let found = ConditionEstimator::new(&[1.0; 2], &ONE_ROW).estimate(&[1.0, 1.0], &ONE_ROW, &[1.0], &[]);
         assert_estimates(found, 4.0);
         assert_eq!(found.pivot, 1.0);
     }
@@ -140,7 +147,7 @@ mod tests {
     #[test]
     fn analytic_condition_does_not_depend_on_units() {
         // one held coordinate, in units far apart: the scaled matrix is that of ones
-        let found = ConditionEstimator::new(&[1.0; 2], &ONE_ROW).estimate(&[1e-40, 1e30], &ONE_ROW, &[1e-60]);
+        let found = ConditionEstimator::new(&[1.0; 2], &ONE_ROW).estimate(&[1e-40, 1e30], &ONE_ROW, &[1e-60], &[]);
         assert!(found.condition <= 2.0 * 4.0 && found.condition >= 4.0 / 2.0, "{found:?}");
     }
 
@@ -148,7 +155,7 @@ mod tests {
     fn analytic_condition_grows_with_the_square_of_the_angle_between_rows() {
         let mut estimator = ConditionEstimator::new(&[1.0; 2], &TWO_ROWS);
         for angle in [1e-1, 1e-3] {
-            let found = estimator.estimate(&[1.0, 1.0], &TWO_ROWS, &[1.0, 0.0, 1.0, angle]);
+            let found = estimator.estimate(&[1.0, 1.0], &TWO_ROWS, &[1.0, 0.0, 1.0, angle], &[]);
             // the largest column of K⁻¹ is that of the first row: G⁻¹ above −(G Gᵀ)⁻¹
             let exact = 3.0 * (1.0 + 1.0 / angle + (2.0 + angle * angle) / (angle * angle));
             assert_estimates(found, exact);
@@ -158,7 +165,7 @@ mod tests {
     #[test]
     fn invariant_condition_of_a_row_twice_is_infinite() {
         let found =
-            ConditionEstimator::new(&[1.0; 2], &TWO_ROWS).estimate(&[1.0, 1.0], &TWO_ROWS, &[1.0, 0.0, 1.0, 0.0]);
+            ConditionEstimator::new(&[1.0; 2], &TWO_ROWS).estimate(&[1.0, 1.0], &TWO_ROWS, &[1.0, 0.0, 1.0, 0.0], &[]);
         assert_eq!((found.condition, found.row), (f64::INFINITY, None));
     }
 
@@ -198,7 +205,7 @@ mod tests {
     /// Five coordinates that nothing holds do not count beside the one that is: K⁻¹ has column sums of two and ones.
     #[test]
     fn analytic_free_coordinates_do_not_matter() {
-        let found = ConditionEstimator::new(&[1.0; 6], &ONE_ROW).estimate(&[1.0; 6], &ONE_ROW, &[1.0]);
+        let found = ConditionEstimator::new(&[1.0; 6], &ONE_ROW).estimate(&[1.0; 6], &ONE_ROW, &[1.0], &[]);
         assert_estimates(found, 4.0);
     }
 }

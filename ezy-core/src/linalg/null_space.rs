@@ -76,7 +76,8 @@ impl NullSpaceKkt {
         &self.rank
     }
 
-    /// Factors K for the diagonal `mass` (`n_q`) and the entries `jacobian` of G in the order of the pattern.
+    /// Factors K for the diagonal `mass` (`n_q`) and the entries `jacobian` of G in the order of the pattern, without the rows that are
+    /// `off`: their multipliers are zero.
     ///
     /// # Errors
     /// [`SingularKkt`] when a number is not finite, nothing moves a coordinate, or rows that are taken for independent are not.
@@ -87,10 +88,11 @@ impl NullSpaceKkt {
         mass: &[f64],
         jacobian: &[f64],
         independent: Independent<'_>,
+        off: &[usize],
     ) -> Result<(), SingularKkt> {
         self.mass.copy_from_slice(mass);
         self.jacobian.copy_from_slice(jacobian);
-        if !self.rank.factor(jacobian, &self.unit, mass, independent) {
+        if !self.rank.factor(jacobian, &self.unit, mass, independent, off) {
             return Err(SingularKkt);
         }
         for (place, felt) in self.mass_by_place.iter_mut().enumerate() {
@@ -210,6 +212,8 @@ impl NullSpaceKkt {
         rank.solve_transposed(first);
         // of all multipliers [y₁ − Tᵀ z; z] the smallest
         let T = rank.redundant_by_independent();
+        let (second, off) = second.split_at_mut(T.nrows());
+        off.fill(0.0);
         let mut z = DVectorViewMut::from_slice(second, T.nrows());
         z.gemv(1.0, &T, &DVectorView::from_slice(first, r), 0.0);
         redundant.solve_mut(&mut z);
@@ -246,7 +250,7 @@ mod tests {
     fn analytic_a_repeated_row_shares_its_force() {
         // two rows x₁ = x₂ and one that is twice as large: each carries as much, in units of its scaled row
         let mut kkt = NullSpaceKkt::new(&[1.0, 1.0], &ROWS, 3);
-        kkt.factor(&[1.0, 3.0], &[1.0, -1.0, 1.0, -1.0, 2.0, -2.0], ALL).unwrap();
+        kkt.factor(&[1.0, 3.0], &[1.0, -1.0, 1.0, -1.0, 2.0, -2.0], ALL, &[]).unwrap();
         assert_eq!(kkt.rank().n_redundant(), 2);
         let mut x = [8.0, 0.0, 0.0, 0.0, 0.0];
         let left = kkt.solve(&mut x);
@@ -260,7 +264,7 @@ mod tests {
     #[test]
     fn invariant_redundant_rows_that_contradict_others_are_told() {
         let mut kkt = NullSpaceKkt::new(&[1.0, 1.0], &ROWS, 2);
-        kkt.factor(&[1.0, 1.0], &[1.0, -1.0, 1.0, -1.0, 0.0, 0.0], ALL).unwrap();
+        kkt.factor(&[1.0, 1.0], &[1.0, -1.0, 1.0, -1.0, 0.0, 0.0], ALL, &[]).unwrap();
         let left = kkt.solve(&mut [0.0, 0.0, 1.0, 0.5]);
         // the first row has terms of 1, 1/2 and 1/2
         assert_eq!((left.rows, left.scale), (0.5, 2.0));
@@ -270,11 +274,11 @@ mod tests {
     fn analytic_massless_coordinates_follow_rows_and_free_ones_are_singular() {
         let pattern = SparsityPattern::new(&[0, 2], &[0, 1]);
         let mut kkt = NullSpaceKkt::new(&[1.0, 1.0], &pattern, 1);
-        kkt.factor(&[0.0, 2.0], &[1.0, -1.0], ALL).unwrap();
+        kkt.factor(&[0.0, 2.0], &[1.0, -1.0], ALL, &[]).unwrap();
         let mut x = [4.0, 0.0, 0.0];
         kkt.solve(&mut x);
         assert!(x.iter().zip([2.0, 2.0, 4.0]).all(|(x, exact)| (x / exact - 1.0).abs() <= 4.0 * f64::EPSILON), "{x:?}");
-        assert_eq!(kkt.factor(&[0.0, 0.0], &[1.0, -1.0], ALL), Err(SingularKkt));
+        assert_eq!(kkt.factor(&[0.0, 0.0], &[1.0, -1.0], ALL, &[]), Err(SingularKkt));
     }
 
     /// Of two coordinates without mass only 3 x₂ + k x₃ is felt, by the heavy one: their `Zᵀ M Z` has rank one, up to rounding.
@@ -286,7 +290,7 @@ mod tests {
             let mut kkt = NullSpaceKkt::new(&[1.0; 3], &pattern, 1);
             // the heavy coordinate is the only pivot
             let jacobian = [1e4, -3.0, -k];
-            assert_eq!(kkt.factor(&[0.7, 0.0, 0.0], &jacobian, ALL), Err(SingularKkt), "{k}");
+            assert_eq!(kkt.factor(&[0.7, 0.0, 0.0], &jacobian, ALL, &[]), Err(SingularKkt), "{k}");
         }
     }
 
@@ -295,7 +299,7 @@ mod tests {
     fn analytic_refinement_that_makes_a_solution_worse_is_taken_back() {
         let pattern = SparsityPattern::new(&[0, 1], &[0]);
         let mut kkt = NullSpaceKkt::new(&[1.0, 1.0], &pattern, 1);
-        kkt.factor(&[1.0, 1.0], &[1.0], ALL).unwrap();
+        kkt.factor(&[1.0, 1.0], &[1.0], ALL, &[]).unwrap();
         kkt.mass[1] = 3.0;
         let mut x = [0.0, 1.0, 0.0];
         kkt.solve(&mut x);
@@ -308,7 +312,7 @@ mod tests {
         let pattern = SparsityPattern::new(&[0, 2, 4], &[0, 1, 1, 2]);
         for masses in [[1.0, 1.0, 1e12], [1e12, 1.0, 1.0], [1e6, 1e-6, 1e6], [1.0, 1e-300, 1.0]] {
             let mut kkt = NullSpaceKkt::new(&[1.0; 3], &pattern, 2);
-            kkt.factor(&masses, &[1.0, -1.0, 1.0, -1.0], ALL).unwrap();
+            kkt.factor(&masses, &[1.0, -1.0, 1.0, -1.0], ALL, &[]).unwrap();
             let mut x = [0.0, 0.0, 1.0, 0.0, 0.0];
             kkt.solve(&mut x);
             let expected = 1.0 / masses.iter().sum::<f64>();
@@ -324,7 +328,7 @@ mod tests {
         for exponent in -8..=8 {
             let mass = [2.0 * 10_f64.powi(exponent), 2e-6, 2e-7];
             let mut kkt = NullSpaceKkt::new(&[1.0; 3], &pattern, 2);
-            kkt.factor(&mass, &jacobian, ALL).unwrap();
+            kkt.factor(&mass, &jacobian, ALL, &[]).unwrap();
             let mut x = right_side;
             kkt.solve(&mut x);
             let mut equations = EquationResidual::new(3, 2, &pattern);

@@ -16,9 +16,11 @@ pub(crate) struct RankRevealing {
     entries: Vec<(usize, usize, usize)>,
     factors: DMatrix<f64>,
     row_scale: Vec<f64>,
-    /// Row and column of G at each place.
+    /// Row and column of G at each place; rows that are off come last.
     rows: Vec<usize>,
     columns: Vec<usize>,
+    /// Rows that are not off.
+    n_on: usize,
     rank: usize,
     smallest_pivot: f64,
     weakest_row: usize,
@@ -51,14 +53,15 @@ impl RankRevealing {
             row_scale: vec![1.0; n_rows],
             rows: vec![0; n_rows],
             columns: vec![0; n_columns],
+            n_on: n_rows,
             rank: 0,
             smallest_pivot: 1.0,
             weakest_row: 0,
         }
     }
 
-    /// Factors G, whose columns are divided by `unit`. Of columns that would do as well the one of least `mass` is made
-    /// dependent, so that heavy and light bodies are not mixed.
+    /// Factors G without the rows that are `off`; its columns are divided by `unit`. Of columns that would do as well the one of least
+    /// `mass` is made dependent, so that heavy and light bodies are not mixed.
     ///
     /// False when a number is not finite, or a pivot of rows that are asked for vanishes.
     pub(crate) fn factor(
@@ -67,11 +70,18 @@ impl RankRevealing {
         unit: &[f64],
         mass: &[f64],
         independent: Independent<'_>,
+        off: &[usize],
     ) -> bool {
         let (n_rows, n_columns) = self.factors.shape();
         self.write(jacobian, unit);
+        self.n_on = n_rows;
+        // from the last one on, so that each is still at its own place
+        for &row in off.iter().rev().filter(|row| **row < n_rows) {
+            self.n_on -= 1;
+            self.swap_rows(row, self.n_on);
+        }
         let (n_candidates, tolerance) = match independent {
-            Independent::Above(tolerance) => (n_rows, tolerance),
+            Independent::Above(tolerance) => (self.n_on, tolerance),
             Independent::Rows(rows) => {
                 for (place, row) in rows.iter().enumerate() {
                     let from = self.rows.iter().position(|at| at == row).unwrap_or(place);
@@ -141,7 +151,7 @@ impl RankRevealing {
 
     /// Z in place of U₂, T in place of L₂.
     fn express_dependent(&mut self) {
-        let (r, (n_rows, n_columns)) = (self.rank, self.factors.shape());
+        let (r, n_on, n_columns) = (self.rank, self.n_on, self.factors.ncols());
         if r == 0 {
             return;
         }
@@ -149,7 +159,7 @@ impl RankRevealing {
         let mut Z = right.rows_mut(0, r);
         triangles.rows(0, r).solve_upper_triangular_mut(&mut Z);
         Z.neg_mut();
-        for row in r..n_rows {
+        for row in r..n_on {
             for j in (0..r).rev() {
                 let above: f64 = (j + 1..r).map(|i| self.factors[(row, i)] * self.factors[(i, j)]).sum();
                 self.factors[(row, j)] -= above;
@@ -164,7 +174,7 @@ impl RankRevealing {
 
     /// Number of rows that depend on others.
     pub(crate) fn n_redundant(&self) -> usize {
-        self.rows.len() - self.rank
+        self.n_on - self.rank
     }
 
     /// The independent rows.
@@ -182,7 +192,7 @@ impl RankRevealing {
         self.weakest_row
     }
 
-    /// The row of G at a place; independent ones first.
+    /// The row of G at a place; independent ones first, then redundant ones, last those that are off.
     pub(crate) fn row(&self, place: usize) -> usize {
         self.rows[place]
     }
@@ -239,7 +249,7 @@ impl RankRevealing {
         let takes_part = |place: usize| T.column(place).iter().any(|share| share.abs() > INDEPENDENT);
         let mut rows: Vec<usize> =
             (0..self.rank).filter(|&place| takes_part(place)).map(|place| self.rows[place]).collect();
-        rows.extend(&self.rows[self.rank..]);
+        rows.extend(&self.rows[self.rank..self.n_on]);
         rows.sort_unstable();
         Dependencies { rows, n: self.n_redundant() }
     }
@@ -263,12 +273,13 @@ pub(crate) fn undetermined_coordinates(
         row_scale: vec![1.0; massless.len()],
         rows: vec![0; massless.len()],
         columns: vec![0; pattern.n_rows()],
+        n_on: massless.len(),
         rank: 0,
         smallest_pivot: 1.0,
         weakest_row: 0,
     };
     let ones = vec![1.0; pattern.n_rows()];
-    rank.factor(jacobian, &ones, &ones, Independent::Above(INDEPENDENT));
+    rank.factor(jacobian, &ones, &ones, Independent::Above(INDEPENDENT), &[]);
     Some(rank.dependencies().rows.into_iter().map(|i| massless[i]).collect())
 }
 
@@ -281,8 +292,21 @@ mod tests {
 
     fn factored(jacobian: &[f64; 12], independent: Independent<'_>) -> RankRevealing {
         let mut rank = RankRevealing::new(3, 4, &DENSE_3X4);
-        assert!(rank.factor(jacobian, &ONES, &ONES, independent));
+        assert!(rank.factor(jacobian, &ONES, &ONES, independent, &[]));
         rank
+    }
+
+    /// The sum of the first two rows is redundant beside both of them, and not without one of them; a row that is off is neither.
+    #[test]
+    fn invariant_rows_that_are_off_take_no_part() {
+        let jacobian = [1.0, 2.0, 0.0, 1.0, 0.0, 1.0, 3.0, 0.0, 1.0, 3.0, 3.0, 1.0];
+        let mut rank = RankRevealing::new(3, 4, &DENSE_3X4);
+        for (off, counts) in [(&[][..], (2, 1)), (&[0], (2, 0)), (&[1], (2, 0)), (&[2], (2, 0)), (&[0, 2], (1, 0))] {
+            assert!(rank.factor(&jacobian, &ONES, &ONES, Independent::Above(INDEPENDENT), off));
+            assert_eq!((rank.rank(), rank.n_redundant()), counts, "{off:?}");
+            assert!(off.iter().all(|row| !rank.independent_rows().contains(row)), "{off:?}");
+            assert!(off.iter().all(|row| !rank.dependencies().rows.contains(row)), "{off:?}");
+        }
     }
 
     #[test]
@@ -347,7 +371,7 @@ mod tests {
         let pattern = SparsityPattern::new(&[0, 2], &[0, 1]);
         for (mass, dependent) in [([1.0, 1e-6], 1), ([1e-6, 1.0], 0)] {
             let mut rank = RankRevealing::new(1, 2, &pattern);
-            assert!(rank.factor(&[1.0, 0.5], &[1.0, 1.0], &mass, Independent::Above(INDEPENDENT)));
+            assert!(rank.factor(&[1.0, 0.5], &[1.0, 1.0], &mass, Independent::Above(INDEPENDENT), &[]));
             assert_eq!(rank.column(0), dependent);
         }
     }
@@ -357,7 +381,7 @@ mod tests {
         // the light column would do, but for its lever
         let pattern = SparsityPattern::new(&[0, 2], &[0, 1]);
         let mut rank = RankRevealing::new(1, 2, &pattern);
-        assert!(rank.factor(&[1.0, 0.01], &[1.0, 1.0], &[1.0, 1e-6], Independent::Above(INDEPENDENT)));
+        assert!(rank.factor(&[1.0, 0.01], &[1.0, 1.0], &[1.0, 1e-6], Independent::Above(INDEPENDENT), &[]));
         assert!(rank.dependent_by_independent()[(0, 0)].abs() <= 10.0);
     }
 
@@ -375,7 +399,7 @@ mod tests {
         const ROW: SparsityPattern = SparsityPattern::new(&[0, 2], &[0, 1]);
         for (mass, dependent) in [([2.0, 6.0], 1), ([1.0, 6.0], 0)] {
             let mut rank = RankRevealing::new(1, 2, &ROW);
-            assert!(rank.factor(&[1.0, 1.0], &[1.0, 2.0], &mass, Independent::Above(INDEPENDENT)));
+            assert!(rank.factor(&[1.0, 1.0], &[1.0, 2.0], &mass, Independent::Above(INDEPENDENT), &[]));
             assert_eq!(rank.columns[0], dependent, "{mass:?}");
         }
     }

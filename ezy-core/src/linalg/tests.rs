@@ -245,7 +245,7 @@ fn invariant_null_space_solutions_fulfil_their_equations_in_any_units() {
                 let mass: Vec<f64> = numbers.vector(n_q).iter().map(|x| 10_f64.powf(3.0 * x)).collect();
                 let jacobian: Vec<f64> = (0..pattern.n_nonzeros()).map(|_| numbers.entry()).collect();
                 let right = numbers.vector(n_q + n_rows);
-                kkt.factor(&mass, &jacobian, ALL).unwrap();
+                kkt.factor(&mass, &jacobian, ALL, &[]).unwrap();
                 let mut x = right.clone();
                 kkt.solve(&mut x);
                 let mut equations = EquationResidual::new(n_q, n_rows, &pattern);
@@ -278,7 +278,7 @@ fn analytic_multipliers_of_redundant_rows_are_the_smallest() {
     let jacobian = [rows[0], rows[1], rows[2], last].concat();
     let mut kkt = NullSpaceKkt::new(&[1.0; 4], &pattern, 4);
     let mass = [1.0, 2.0, 3.0, 4.0];
-    kkt.factor(&mass, &jacobian, ALL).unwrap();
+    kkt.factor(&mass, &jacobian, ALL, &[]).unwrap();
     assert_eq!((kkt.rank().rank(), kkt.rank().n_redundant()), (3, 1));
     let right = [1.0, -2.0, 0.5, 3.0, 0.0, 0.0, 0.0, 0.0];
     let mut x = right;

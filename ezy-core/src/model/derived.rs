@@ -1,6 +1,8 @@
 //! What `model!` derives besides the equations.
 
-use super::{ElementInfo, Equations, EquationsInLanes, List, PreciseScene, Scene, Series};
+#[cfg(feature = "analysis")]
+use super::EquationsWithDerivatives;
+use super::{ElementInfo, Equations, EquationsInLanes, List, PreciseScene, Series};
 
 /// What a scene may know besides its equations of motion; `model!` derives it.
 ///
@@ -80,16 +82,15 @@ pub trait Derived: Equations<f64> {
         let _ = (c, t, q, v, out);
     }
 
-    /// What the scene is while it runs, of which it begins as the first: with the skate of
-    /// [`SceneInfo::stick_slip`](super::SceneInfo::stick_slip) itself, then without its row, sliding to the left and to the right; with the
-    /// stop of [`SceneInfo::stop`](super::SceneInfo::stop) itself, then with a row more for each end, which holds the quantity
-    /// there. Empty where it stays what it is.
-    fn modes(&self) -> Vec<Box<dyn Scene>> {
-        Vec::new()
-    }
-
     /// Its kernels at eight states at once, where it has a generated elimination.
     fn in_lanes(&self) -> Option<&dyn EquationsInLanes> {
+        None
+    }
+
+    /// Its kernels on numbers with eight derivatives (feature `analysis`). Scenes that `model!` generates have them, those with counts too. One
+    /// written by hand for any [`Scalar`](crate::scalar::Scalar) returns `Some(self)`.
+    #[cfg(feature = "analysis")]
+    fn with_derivatives(&self) -> Option<&dyn EquationsWithDerivatives> {
         None
     }
 

@@ -9,7 +9,7 @@ use crate::scalar::{DoubleDouble, Scalar};
 /// coordinates and velocities.
 pub trait Equations<T: Scalar>: Send + Sync {
     /// Everything that depends on parameters alone, from their values in the order of
-    /// [`SceneInfo::parameters`](super::SceneInfo::parameters). Writes `n_constants` numbers behind inputs and first-order states in
+    /// [`SceneInfo::parameters`](super::SceneInfo::parameters), behind which [`SceneInfo::switches`](super::SceneInfo::switches) stand. Writes `n_constants` numbers behind inputs and first-order states in
     /// `c`, which it neither reads nor changes.
     fn constants(&self, parameters: &[T], c: &mut [T]);
 
@@ -33,6 +33,11 @@ pub trait Equations<T: Scalar>: Send + Sync {
 
     /// Rates of the first-order states, in their units over s. Writes `n_z`; nothing in a scene without any.
     fn state_rates(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let _ = (c, t, q, v, out);
+    }
+
+    /// Outputs, each in its unit. Writes `n_o`; nothing in a scene without any.
+    fn outputs(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
         let _ = (c, t, q, v, out);
     }
 

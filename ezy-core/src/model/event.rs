@@ -83,7 +83,7 @@ pub struct StickSlipInfo {
 pub struct StopInfo {
     /// Its name, and that of its constraint.
     pub name: &'static str,
-    /// Index of its constraint in the [`SceneInfo::rows`](super::SceneInfo::rows) of the closed modes.
+    /// Index of its constraint in [`SceneInfo::rows`](super::SceneInfo::rows).
     pub row: usize,
     /// For each end 1 where it is the lower one, -1 where it is the upper one.
     pub sides: &'static [i8],

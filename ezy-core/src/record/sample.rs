@@ -75,6 +75,12 @@ pub struct EnergyState {
 const N_ALWAYS: usize = 5;
 
 impl EnergyState {
+    /// Energies with the works of all effects; `initial`: kinetic and potential energy at the start.
+    pub(crate) fn with_work(kinetic: f64, potential: f64, works: &[f64], initial: f64) -> Self {
+        let work = works.iter().fold(0.0, |sum, work| sum + work);
+        Self { kinetic, potential, work, balance: kinetic + potential - work - initial }
+    }
+
     /// Energies without work.
     pub(crate) const fn without_work(kinetic: f64, potential: f64) -> Self {
         Self { kinetic, potential, work: f64::NAN, balance: f64::NAN }

@@ -40,10 +40,11 @@ impl<const N: usize> Dual<N> {
         Self { value, derivatives: from_fn(|i| if i == index { 1.0 } else { 0.0 }) }
     }
 
-    /// Value and slope of a function of one number.
+    /// Value and slope of a function of one number. What does not vary has no derivative, even where the slope is infinite: so the
+    /// root of a sum of squares has none at zero.
     #[inline(always)]
     fn chain(self, value: f64, slope: f64) -> Self {
-        Self { value, derivatives: self.derivatives.map(|d| slope * d) }
+        Self { value, derivatives: self.derivatives.map(|d| if d == 0.0 { 0.0 } else { slope * d }) }
     }
 
     /// Value and slopes of a function of two numbers.

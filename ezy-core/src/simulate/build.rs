@@ -1,23 +1,22 @@
 //! From a [`Simulation`] to a run or a stepper: its settings are checked, then the start is assembled.
 
-use super::checked::{check_step, check_tolerance};
+use super::checked::check_tolerance;
 use super::inputs::control::Control;
-use super::inputs::given::give;
-use super::modes::Modes;
+use super::modes::{Modes, fault_of_law};
 use super::monitor::Watch;
-use super::recording::sample_times::SampleTimes;
+use super::recording::sample_times::{SampleTimes, Sampling};
 use super::run_loop::{Plan, RunLoop};
 use super::several::estimated_run;
 use super::simulation::{Hooks, Settings};
 use super::stepping::schedule::Schedule;
-use super::stepping::stepper_state::StepperState;
+use super::stepping::starts::Starts;
 use super::tolerances::orders::{MAX_NUMBERS, MAX_STEPS};
 use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, State, System};
 use crate::integrate::Clock;
 use crate::memory;
-use crate::model::{Derived as _, Name, Scene, SceneInfo, SceneRef, Start};
-use crate::record::{Recorder, input_index};
+use crate::model::{Name, Scene as _, SceneInfo, SceneRef, Start};
+use crate::record::input_index;
 
 impl<'s, P: SceneRef> Simulation<'s, P> {
     /// Runs.
@@ -30,52 +29,30 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     }
 
     /// Runs without an estimate of the error.
-    pub(super) fn run_once(self) -> Result<Run, SetupError> {
-        let modes = self.scene.modes();
-        match &modes[..] {
-            [] => self.run_in_modes(&[]),
-            [first, others @ ..] => {
-                let others: Vec<&dyn Scene> = others.iter().map(|scene| &**scene).collect();
-                self.of_scene(&**first).run_in_modes(&others)
-            }
-        }
-    }
-
-    /// The same settings for another scene with the same names.
-    fn of_scene<'a>(self, scene: &'a dyn Scene) -> Simulation<'a, &'a (dyn Scene + 'a)>
-    where
-        's: 'a,
-    {
-        let Hooks { law, recorder, interrupts, on_progress } = self.hooks;
-        let recorder = recorder.map(|recorder| recorder as &mut dyn Recorder);
-        let hooks = Hooks { law, recorder, interrupts, on_progress };
-        Simulation { scene, settings: self.settings, hooks }
-    }
-
-    /// Runs; `others` are the other modes of the scene.
-    fn run_in_modes(mut self, others: &[P]) -> Result<Run, SetupError> {
-        let mut system = System::new(self.scene.clone(), self.settings.backend)?;
-        let start = self.settings.start_values(&system)?;
+    pub(super) fn run_once(mut self) -> Result<Run, SetupError> {
+        let mut system = self.settings.solver.system(self.scene.clone())?;
+        let start = self.settings.start.of_scene(&system)?;
         let control = self.take_control(start.t, &mut system)?;
         let schedule = self.schedule(start.t, control.is_idle())?;
         let limits = self.settings.limits.checked()?;
         let events = if self.settings.watched { self.scene.info().events } else { &[] };
-        let sample_times = self.settings.sample_times.of_run(start.t, self.settings.until_s)?;
-        let Settings { wanted, streamed, start_moved_by, .. } = self.settings;
-        let interrupts = self.hooks.interrupts.clone();
-        let mut state = system.consistent_start(&start)?;
+        let Settings { solver, ref sampling, until_s, .. } = self.settings;
+        let (moved_by, wanted) = (self.settings.start.moved_by, sampling.wanted);
+        let sampling = Sampling { times: sampling.times.of_run(start.t, until_s)?, ..*sampling };
+        let assembled = system.consistent_start(&start);
+        let of_law = |system| fault_of_law(system, start.t, &start.q, &start.v);
+        let mut state = assembled.map_err(|error| of_law(&system).map_or(SetupError::from(error), SetupError::from))?;
         let moved = system.moved_values(&start, &state);
-        if start_moved_by > 0.0 {
-            state = system.consistent_start(&estimated_run::beside(&state, start_moved_by))?;
+        if moved_by > 0.0 {
+            state = system.consistent_start(&estimated_run::beside(&state, moved_by))?;
         }
-        let plan = Plan { schedule, sample_times, wanted, streamed, interrupts, moved, events };
-        let mut stepper = self.stepper_in(system)?;
+        let mut stepper = solver.stepper(system, wanted.work)?;
         stepper.place(&state);
-        let watch =
-            Watch::new(&mut stepper.system, &state, limits, self.settings.projection, self.settings.wanted.work);
-        let others = others.iter().map(|scene| self.stepper_of(scene.clone())).collect::<Result<_, _>>()?;
-        let modes = Modes::new(&stepper, others).map(Box::new);
-        RunLoop::new(stepper, modes, control, plan, watch, self.hooks.recorder, self.hooks.on_progress)?.run()
+        let watch = Watch::new(&mut stepper.system, &state, limits, solver.projection, wanted.work);
+        let modes = Modes::new(&stepper).map(Box::new);
+        let Hooks { recorder, caller, .. } = self.hooks;
+        let plan = Plan { schedule, sampling, recorder, caller, events };
+        RunLoop::new(stepper, modes, control, plan, watch)?.run(moved)
     }
 
     /// Names of the start values that nobody gave and that the constraints leave free: the assembly begins with 0, and changes them as
@@ -84,10 +61,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// # Errors
     /// [`SetupError`] when the start cannot be assembled.
     pub fn free_start_values(&self) -> Result<Vec<Name>, SetupError> {
-        match &self.scene.modes()[..] {
-            [] => self.settings.free_start_values(self.scene.clone()),
-            [first, ..] => self.settings.free_start_values(&**first),
-        }
+        self.settings.free_start_values(self.scene.clone())
     }
 
     /// Hands the scene over to be stepped by the caller; end, limits, recording and progress are left to the caller, too.
@@ -96,36 +70,15 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// [`SetupError`] when the start or the step cannot be used.
     pub fn stepper(mut self) -> Result<Stepper<'s, P>, SetupError> {
         SetupError::refuse_modes(&self.scene.info())?;
-        let mut system = System::new(self.scene.clone(), self.settings.backend)?;
-        let start = self.settings.start_values(&system)?;
-        let step_s = self.fixed_step()?;
+        let solver = self.settings.solver;
+        let mut system = solver.system(self.scene.clone())?;
+        let start = self.settings.start.of_scene(&system)?;
+        let step_s = solver.fixed_step()?;
         let control = self.take_control(start.t, &mut system)?;
         let state = system.consistent_start(&start)?;
-        let stepper = self.stepper_in(system)?;
-        let Settings { method, projection, metric, backend, wanted, .. } = &self.settings;
-        let settings = vec![
-            ("method", method.name().to_owned()),
-            ("step", format!("{step_s:?} s")),
-            ("projection", format!("{projection:?}")),
-            ("metric", format!("{metric:?}")),
-            ("backend", format!("{backend:?}")),
-            ("works", wanted.work.to_string()),
-        ];
-        Ok(Stepper::new(stepper, control, step_s, settings, start, state))
-    }
-
-    fn stepper_of(&self, scene: P) -> Result<StepperState<P>, SetupError> {
-        self.stepper_in(System::new(scene, self.settings.backend)?)
-    }
-
-    fn stepper_in(&self, system: System<P>) -> Result<StepperState<P>, SetupError> {
-        StepperState::new(
-            system,
-            self.settings.method,
-            self.settings.projection,
-            self.settings.metric,
-            self.settings.wanted.work,
-        )
+        let starts = Starts::new(system.inputs(), start, state);
+        let stepper = solver.stepper(system, self.settings.sampling.wanted.work)?;
+        Ok(Stepper::new(stepper, control, solver, step_s, starts))
     }
 
     /// Tables and control law of the run; constant inputs are set at once. Of two settings of one input the later one counts.
@@ -146,33 +99,28 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
         Ok(control)
     }
 
-    /// The fixed step of a method that has one.
-    fn fixed_step(&self) -> Result<f64, SetupError> {
-        let method = self.settings.method;
-        method.step_s().map_or(Err(SetupError::NeedsFixedStep { method: method.name() }), check_step)
-    }
-
     /// `idle`: whether inputs stay constant. Inputs that change are held over steps of fixed length.
     fn schedule(&self, start_s: f64, idle: bool) -> Result<Schedule, SetupError> {
-        let until_s = self.settings.until_s;
+        let Settings { solver, sampling, until_s, estimated, .. } = &self.settings;
+        let until_s = *until_s;
         if !start_s.is_finite() {
             return Err(StartError::NotFinite { name: "t".into(), value: start_s }.into());
         }
         if !(until_s.is_finite() && until_s >= start_s) {
             return Err(SetupError::Until { until_s, start_s });
         }
-        if let SampleTimes::Every(every_s) = self.settings.sample_times.of_run(start_s, until_s)? {
+        if let SampleTimes::Every(every_s) = sampling.times.of_run(start_s, until_s)? {
             let samples = (until_s - start_s) / every_s;
             let info = self.scene.info();
             let n_numbers = (info.n_coordinates() + 2 * info.n_velocities() + info.n_rows()).max(1) as f64;
             // what is streamed is limited as steps are
-            let streamed = self.settings.streamed && !self.settings.estimated;
+            let streamed = sampling.streamed && !estimated;
             let limit = if streamed { MAX_STEPS } else { MAX_NUMBERS / n_numbers };
             if samples > limit {
                 return Err(SetupError::TooManySamples { samples, every_s, limit });
             }
             // the two runs beside it keep samples, too
-            let n_runs = if self.settings.estimated { 3.0 } else { 1.0 };
+            let n_runs = if *estimated { 3.0 } else { 1.0 };
             let needed = (n_runs * samples * n_numbers) as u64 * size_of::<f64>() as u64;
             if let Some(available) = memory::too_little_for(needed)
                 && !streamed
@@ -180,45 +128,33 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
                 return Err(SetupError::Memory { samples, every_s, needed, available });
             }
         }
-        match self.settings.method.tolerance() {
+        match solver.method.tolerance() {
             Some(tolerance) if idle => {
                 check_tolerance(tolerance)?;
-                Ok(Schedule::Free { start: start_s, end: until_s })
+                Ok(Schedule::new(None, until_s))
             }
             _ => {
-                let step_s = self.fixed_step()?;
+                let step_s = solver.fixed_step()?;
                 let steps = (until_s - start_s) / step_s;
                 if steps > MAX_STEPS {
                     return Err(SetupError::TooManySteps { steps, step_s, limit: MAX_STEPS });
                 }
-                Ok(Schedule::Clock(Clock::new(start_s, until_s, step_s)))
+                Ok(Schedule::new(Some(Clock::new(start_s, until_s, step_s)), until_s))
             }
         }
     }
 }
 
 impl Settings {
-    /// The start of the scene with what is given in its place.
-    fn start_values<P: SceneRef>(&self, system: &System<P>) -> Result<Start, SetupError> {
-        let mut start = system.scene_start();
-        for (name, value) in &self.given {
-            give(system.info(), &mut start, name, *value)?;
-        }
-        if self.start_gives_way {
-            start.give_way();
-        }
-        Ok(start)
-    }
-
     fn free_start_values<P: SceneRef>(&self, scene: P) -> Result<Vec<Name>, SetupError> {
         let (mut system, start, state) = self.assembled(scene)?;
-        Ok(system.free_values(&start, &state))
+        Ok(system.assembly().free_values(&start, &state))
     }
 
     /// The scene with its constant inputs, its start, and the consistent state that belongs to it.
     pub(super) fn assembled<P: SceneRef>(&self, scene: P) -> Result<(System<P>, Start, State), SetupError> {
-        let mut system = System::new(scene, self.backend)?;
-        let start = self.start_values(&system)?;
+        let mut system = self.solver.system(scene)?;
+        let start = self.start.of_scene(&system)?;
         for (name, table) in &self.inputs {
             let i = input_index(system.info(), name)?;
             if let Some(value) = table.constant() {

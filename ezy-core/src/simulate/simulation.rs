@@ -1,14 +1,16 @@
 //! The settings of a run.
 
 use super::inputs::control::Law;
-use super::monitor::Limits;
-use super::recording::sample_times::SampleTimes;
+use super::inputs::given::GivenStart;
+use super::monitor::{Caller, Limits};
+use super::recording::sample_times::{SampleTimes, Sampling};
+use super::stepping::solver::Solver;
 use super::{InputTable, Inputs, Now};
 use crate::dynamics::{Metric, Projection, State};
 use crate::integrate::Method;
 use crate::linalg::Backend;
 use crate::model::{NamedInputs, NamedScene, Scene as _, SceneRef};
-use crate::record::{Recorder, Wanted};
+use crate::record::Recorder;
 use std::sync::atomic::AtomicBool;
 
 /// One run of a scene: its settings, then [`Simulation::run`].
@@ -32,23 +34,16 @@ pub struct Simulation<'s, P: SceneRef> {
 /// What a run is asked for.
 #[derive(Debug, Clone)]
 pub(super) struct Settings {
-    pub method: Method,
+    pub solver: Solver,
+    pub start: GivenStart,
     pub until_s: f64,
-    pub sample_times: SampleTimes,
-    pub projection: Projection,
-    pub metric: Metric,
-    pub backend: Backend,
-    pub given: Vec<(String, f64)>,
-    pub start_gives_way: bool,
     pub inputs: Vec<(String, InputTable)>,
-    pub wanted: Wanted,
+    pub sampling: Sampling,
     pub limits: Limits,
+    /// Whether events are located.
     pub watched: bool,
-    pub streamed: bool,
     /// Whether other runs estimate the error of this one.
     pub estimated: bool,
-    /// What the start is moved by, of the sizes of its numbers.
-    pub start_moved_by: f64,
 }
 
 /// What takes part in one run alone.
@@ -56,8 +51,7 @@ pub(super) struct Settings {
 pub(super) struct Hooks<'s> {
     pub law: Option<Law<'s>>,
     pub recorder: Option<&'s mut dyn Recorder>,
-    pub interrupts: Vec<&'s AtomicBool>,
-    pub on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
+    pub caller: Caller<'s>,
 }
 
 impl<'s, P: SceneRef> Simulation<'s, P> {
@@ -65,21 +59,14 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// more by [`Simulation::every`] or [`Simulation::at`].
     pub fn new(scene: P) -> Self {
         let settings = Settings {
-            method: Method::default(),
+            solver: Solver::default(),
+            start: GivenStart::default(),
             until_s: scene.info().until_s,
-            sample_times: SampleTimes::Never,
-            projection: Projection::default(),
-            metric: Metric::default(),
-            backend: Backend::default(),
-            given: Vec::new(),
-            start_gives_way: false,
             inputs: Vec::new(),
-            wanted: Wanted::default(),
+            sampling: Sampling::default(),
             limits: Limits::default(),
             watched: true,
-            streamed: false,
             estimated: false,
-            start_moved_by: 0.0,
         };
         Self { scene, settings, hooks: Hooks::default() }
     }
@@ -88,7 +75,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// ([`Method::lifted`]). Control laws, input tables and steppers need a fixed step: `Method::rk4(1e-3)`.
     #[must_use]
     pub fn method(mut self, method: Method) -> Self {
-        self.settings.method = method.lifted();
+        self.settings.solver.method = method.lifted();
         self
     }
 
@@ -106,7 +93,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// the interpolated state.
     #[must_use]
     pub fn every(mut self, every_s: f64) -> Self {
-        self.settings.sample_times = SampleTimes::Every(every_s);
+        self.settings.sampling.times = SampleTimes::Every(every_s);
         self
     }
 
@@ -131,7 +118,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// ```
     #[must_use]
     pub fn at(mut self, times_s: impl IntoIterator<Item = f64>) -> Self {
-        self.settings.sample_times = SampleTimes::At(times_s.into_iter().collect());
+        self.settings.sampling.times = SampleTimes::At(times_s.into_iter().collect());
         self
     }
 
@@ -140,9 +127,9 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     pub(crate) fn sampled(mut self, every_s: Option<f64>, n: f64) -> Self {
         let span = self.settings.until_s;
         if let (SampleTimes::Never, Some(every_s)) =
-            (&self.settings.sample_times, every_s.or((span > 0.0).then_some(span / n)))
+            (&self.settings.sampling.times, every_s.or((span > 0.0).then_some(span / n)))
         {
-            self.settings.sample_times = SampleTimes::Every(every_s);
+            self.settings.sampling.times = SampleTimes::Every(every_s);
         }
         self
     }
@@ -150,21 +137,21 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// What is projected after each step.
     #[must_use]
     pub fn project(mut self, projection: Projection) -> Self {
-        self.settings.projection = projection;
+        self.settings.solver.projection = projection;
         self
     }
 
     /// Metric of the projection.
     #[must_use]
     pub fn metric(mut self, metric: Metric) -> Self {
-        self.settings.metric = metric;
+        self.settings.solver.metric = metric;
         self
     }
 
     /// Solver of the equations of motion.
     #[must_use]
     pub fn backend(mut self, backend: Backend) -> Self {
-        self.settings.backend = backend;
+        self.settings.solver.backend = backend;
         self
     }
 
@@ -172,7 +159,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// own; what neither gives is assembled from the constraints.
     #[must_use]
     pub fn start(mut self, name: impl Into<String>, value: f64) -> Self {
-        self.settings.given.push((name.into(), value));
+        self.settings.start.values.push((name.into(), value));
         self
     }
 
@@ -184,7 +171,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// are never added; coordinates without mass follow at no cost.
     #[must_use]
     pub fn project_start(mut self) -> Self {
-        self.settings.start_gives_way = true;
+        self.settings.start.gives_way = true;
         self
     }
 
@@ -280,14 +267,14 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// is the same to the last bit without.
     #[must_use]
     pub fn work(mut self) -> Self {
-        self.settings.wanted.work = true;
+        self.settings.sampling.wanted.work = true;
         self
     }
 
     /// Samples hold the outputs of the scene, too.
     #[must_use]
     pub fn outputs(mut self) -> Self {
-        self.settings.wanted.outputs = true;
+        self.settings.sampling.wanted.outputs = true;
         self
     }
 
@@ -363,7 +350,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// number of samples. Without [`Simulation::every`] or [`Simulation::at`] a recorder gets two, the start and the end.
     #[must_use]
     pub fn stream_to(mut self, recorder: &'s mut dyn Recorder) -> Self {
-        self.settings.streamed = true;
+        self.settings.sampling.streamed = true;
         self.record_to(recorder)
     }
 
@@ -371,14 +358,14 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// thread or a signal handler sets it. Of several flags each one ends the run.
     #[must_use]
     pub fn interrupted_by(mut self, flag: &'s AtomicBool) -> Self {
-        self.hooks.interrupts.push(flag);
+        self.hooks.caller.interrupts.push(flag);
         self
     }
 
     /// Calls `progress` with the fraction done, about a hundred times.
     #[must_use]
     pub fn on_progress(mut self, progress: impl FnMut(f64) + Send + 's) -> Self {
-        self.hooks.on_progress = Some(Box::new(progress));
+        self.hooks.caller.on_progress = Some(Box::new(progress));
         self
     }
 }

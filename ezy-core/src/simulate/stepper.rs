@@ -2,13 +2,14 @@
 
 use super::checkpoint::{Checkpoint, CheckpointError, Origin};
 use super::inputs::control::{Control, check_inputs};
-use super::inputs::given::give;
+use super::stepping::solver::Solver;
+use super::stepping::starts::Starts;
 use super::stepping::stepper_state::StepperState;
 use super::{Inputs, InputsGuard, Now, SetupError};
 use crate::archive::Archive;
 use crate::archive::LARGEST_COUNT;
 use crate::dynamics::{MotionError, State, state_not_finite};
-use crate::model::{NamedScene, SceneInfo, SceneRef, Start};
+use crate::model::{NamedScene, SceneInfo, SceneRef};
 use crate::record::EnergyState;
 use std::sync::Arc;
 
@@ -54,21 +55,13 @@ use std::sync::Arc;
 pub struct Stepper<'s, P: SceneRef> {
     stepper: StepperState<P>,
     control: Control<'s>,
+    solver: Solver,
     step_s: f64,
-    /// What its numbers depend on besides the scene, by name.
-    settings: Vec<(&'static str, String)>,
+    starts: Starts,
     /// Steps since the start.
     n_steps: u64,
     /// Whether accelerations and powers belong to the present state and inputs.
     evaluated: bool,
-    /// Inputs of the simulation.
-    first_inputs: Vec<f64>,
-    /// Start of the simulation.
-    home: Assembled,
-    /// The last other one.
-    other: Assembled,
-    /// The next other one.
-    wished: Start,
     /// Time of the present start, s.
     start_s: f64,
     /// Kinetic and potential energy there, J.
@@ -76,38 +69,26 @@ pub struct Stepper<'s, P: SceneRef> {
     outputs: Vec<f64>,
 }
 
-/// A state and what it was assembled from.
-#[derive(Clone)]
-struct Assembled {
-    from: Start,
-    state: State,
-}
-
 impl<'s, P: SceneRef> Stepper<'s, P> {
     pub(super) fn new(
         stepper: StepperState<P>,
         control: Control<'s>,
+        solver: Solver,
         step_s: f64,
-        settings: Vec<(&'static str, String)>,
-        from: Start,
-        state: State,
+        starts: Starts,
     ) -> Self {
-        let system = &stepper.system;
-        let home = Assembled { from: from.clone(), state };
+        let outputs = vec![0.0; stepper.system.info().n_outputs()];
         let mut new = Self {
+            stepper,
             control,
+            solver,
             step_s,
-            settings,
+            starts,
             n_steps: 0,
             evaluated: false,
-            first_inputs: system.inputs().to_vec(),
-            other: home.clone(),
-            home,
-            wished: from,
             start_s: 0.0,
             initial_energy: 0.0,
-            outputs: vec![0.0; system.info().n_outputs()],
-            stepper,
+            outputs,
         };
         new.reset();
         new
@@ -123,7 +104,7 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
     /// # Cost
     /// A copy.
     pub fn reset(&mut self) {
-        self.stepper.place(&self.home.state);
+        self.stepper.place(self.starts.home());
         self.begin();
     }
 
@@ -135,33 +116,14 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
     /// A copy when the values are those of the last call; otherwise an assembly
     /// ([`System::consistent_start`](crate::dynamics::System::consistent_start)).
     pub fn reset_with(&mut self, given: &[(&str, f64)]) -> Result<(), SetupError> {
-        self.wished.copy_from(&self.home.from);
-        for (name, value) in given {
-            give(self.stepper.system.info(), &mut self.wished, name, *value)?;
-        }
-        if self.wished != self.other.from {
-            // constraints may follow inputs: those of the start
-            let system = &mut self.stepper.system;
-            let present = system.keep_inputs();
-            system.inputs_mut().copy_from_slice(&self.first_inputs);
-            system.begin_inputs(self.wished.t);
-            match system.consistent_start(&self.wished) {
-                Ok(state) => self.other.state = state,
-                Err(error) => {
-                    system.restore_inputs(&present);
-                    return Err(error.into());
-                }
-            }
-            self.other.from.copy_from(&self.wished);
-        }
-        self.stepper.place(&self.other.state);
+        let state = self.starts.with(given, &mut self.stepper.system)?;
+        self.stepper.place(state);
         self.begin();
         Ok(())
     }
 
     fn begin(&mut self) {
-        self.stepper.system.inputs_mut().copy_from_slice(&self.first_inputs);
-        self.stepper.system.begin_inputs(self.stepper.now.state.t);
+        self.starts.set_inputs(self.stepper.now.state.t, &mut self.stepper.system);
         self.n_steps = 0;
         self.evaluated = false;
         self.start_s = self.stepper.now.state.t;
@@ -201,7 +163,7 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
     }
 
     fn origin(&self) -> Origin {
-        Origin::new(self.stepper.system.scene(), &self.settings)
+        Origin::new(self.stepper.system.scene(), &self.solver.named(self.step_s, self.stepper.work))
     }
 
     fn remember(&mut self, archive: &mut Archive) -> Result<(), MotionError> {
@@ -318,11 +280,9 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
     /// Energies, J; work and balance with [`Simulation::work`](super::Simulation::work).
     pub fn energy(&self) -> EnergyState {
         let (kinetic, potential) = self.mechanical_energy();
-        if self.stepper.work {
-            let work = self.stepper.now.state.work.iter().fold(0.0, |sum, work| sum + work);
-            EnergyState { kinetic, potential, work, balance: kinetic + potential - work - self.initial_energy }
-        } else {
-            EnergyState::without_work(kinetic, potential)
+        match self.stepper.work {
+            true => EnergyState::with_work(kinetic, potential, &self.stepper.now.state.work, self.initial_energy),
+            false => EnergyState::without_work(kinetic, potential),
         }
     }
 

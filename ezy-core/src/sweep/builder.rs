@@ -136,11 +136,8 @@ impl<'a> Sweep<'a> {
         plan: Plan,
         run: impl Fn(&Case<'_>) -> Result<Finished, Refused> + Sync + 'a,
     ) -> Self {
-        // a mode may have rows of its own, and samples of a run are those of the mode with most
-        let modes = scene.modes();
-        let of_modes = modes.iter().map(|mode| mode.info()).max_by_key(|info| info.n_rows());
         Self {
-            info: of_modes.unwrap_or_else(|| scene.info()),
+            info: scene.info(),
             plan,
             runner: Box::new(run),
             kept: Vec::new(),

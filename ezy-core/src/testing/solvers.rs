@@ -28,7 +28,7 @@ pub(super) fn agreement_at_start<P: SceneRef>(system: &mut System<P>, start: &St
     let info = system.info();
     let (mut a, mut lambda) = (vec![0.0; info.n_velocities()], vec![0.0; info.n_rows()]);
     let solved = system.accelerations(start.t, &start.q, &start.v, &mut a, &mut lambda);
-    let agree = solved.and_then(|solved| system.check_accelerations(start.t, &start.q, solved));
+    let agree = solved.and_then(|solved| system.diagnosis().check_accelerations(start.t, &start.q, solved));
     Check {
         name: "agreement of the constraints at the start",
         n_compared: 1,

@@ -14,7 +14,7 @@ use super::parts::{LONGEST_WHOLE, sequence};
 use crate::mechanics::Derived;
 use crate::mechanics::kernels::Pass;
 use crate::model::whole::{IndexId, Whole};
-use crate::model::{Model, ParameterId};
+use crate::model::{Model, ParameterId, Switch};
 use crate::symbolic::coefficient::{Coefficient, CoefficientId, CoefficientNode, Coefficients};
 use wording::{Shape, Wording, product, quotient, square, sum};
 
@@ -22,6 +22,8 @@ use wording::{Shape, Wording, product, quotient, square, sum};
 pub struct Constants<'a> {
     model: &'a Model,
     parameters: &'a [ParameterId],
+    /// How many switches stand behind them.
+    n_switches: usize,
     coefficients: &'a Coefficients,
     /// In the order of the vector `c` behind its inputs and first-order states.
     stored: &'a [CoefficientId],
@@ -41,10 +43,20 @@ impl<'a> Constants<'a> {
     pub fn new(model: &'a Model, derived: &'a Derived<'_>) -> Self {
         let stored = derived.constants.coefficients();
         let (parameters, coefficients) = (derived.parameters(), &derived.algebra().coefficients);
-        let (n_inputs, names) = (derived.inputs().len(), BTreeMap::new());
+        let (n_inputs, n_switches, names) = (derived.inputs().len(), derived.switches().len(), BTreeMap::new());
         let (innermost, members, positions) = (BTreeMap::new(), Vec::new(), Vec::new());
-        let mut constants =
-            Self { model, parameters, coefficients, stored, n_inputs, names, innermost, members, positions };
+        let mut constants = Self {
+            model,
+            parameters,
+            n_switches,
+            coefficients,
+            stored,
+            n_inputs,
+            names,
+            innermost,
+            members,
+            positions,
+        };
         let needed = constants.needed(stored);
         let mut taken = BTreeSet::new();
         for id in needed {
@@ -126,7 +138,7 @@ impl<'a> Constants<'a> {
             quote!(c[#i] = #value;)
         });
         let writes = sequence(writes);
-        let (n_parameters, n_fixed) = (self.parameters.len(), self.n_inputs + self.n_single());
+        let (n_parameters, n_fixed) = (self.parameters.len() + self.n_switches, self.n_inputs + self.n_single());
         let (opening, members) = match &self.members[..] {
             [] => (quote!(let c = ezy::array_mut::<#n_fixed, T>(c);), quote!()),
             all => {
@@ -190,10 +202,11 @@ impl<'a> Constants<'a> {
             CoefficientNode::Conversion { .. } => None,
             CoefficientNode::Parameter(index) => {
                 let parameter = self.model.parameters.get(*index).map(|parameter| parameter.name.to_string());
-                let name = parameter.or_else(|| match self.whole(*index)? {
-                    Whole::Count(id) => Some(self.model.counts[id.0].name.to_string()),
-                    Whole::Index(id) => Some(self.model.indices[id.0].clone()),
-                    _ => None,
+                let name = parameter.or_else(|| match self.whole(*index) {
+                    Some(Whole::Count(id)) => Some(self.model.counts[id.0].name.to_string()),
+                    Some(Whole::Index(id)) => Some(self.model.indices[id.0].clone()),
+                    Some(_) => None,
+                    None => Switch::ALL.get(index - self.model.n_values()).map(|switch| switch.suffix().to_owned()),
                 })?;
                 Some(Wording { text: name.replace("r#", "parameter_"), shape: Shape::Product })
             }
@@ -290,10 +303,16 @@ impl Values<'_> {
                     let unit = parameter.size;
                     converted(quote!(parameters[#place]), unit.times, unit.over, unit.pi)
                 }
-                None => {
-                    let value = of.whole(*index).map(|value| whole(of.model, &value));
-                    quote!(T::from_f64(#value as f64))
-                }
+                None => match of.whole(*index) {
+                    Some(value) => {
+                        let value = whole(of.model, &value);
+                        quote!(T::from_f64(#value as f64))
+                    }
+                    None => {
+                        let place = of.parameters.len() + index - of.model.n_values();
+                        quote!(parameters[#place])
+                    }
+                },
             },
             CoefficientNode::Conversion { times, over, pi } => converted(Numbers::Any.literal(*times), 1.0, *over, *pi),
             CoefficientNode::Add(a, b) => {

@@ -44,6 +44,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let events: Vec<_> = events.collect();
     let stick_slip = option(stick_slip(model, scene, equations, names));
     let stop = option(stop(model, scene, equations, names));
+    let switches = &equations.switches;
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
     let n_constants = derived.constants.coefficients().len();
@@ -94,6 +95,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             events: &[#(#events),*],
             stick_slip: #stick_slip,
             stop: #stop,
+            switches: &[#(#switches),*],
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
@@ -250,9 +252,9 @@ fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> V
         .collect()
 }
 
-/// The skate with a limit; not of the scenes in which it slides.
+/// The skate with a limit.
 fn stick_slip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
-    let [limit, velocity] = equations.stick_slip.filter(|_| scene.mode.is_none())?;
+    let [limit, velocity] = equations.stick_slip?;
     let (row, _) = model.stick_slip_of(scene)?;
     let i_row = equations.constraints.rows.iter().position(|scalar| row.name == scalar.name)?;
     let limit = formula_of(names, limit);
@@ -265,13 +267,11 @@ fn stick_slip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbre
     })
 }
 
-/// The stop, the same in every mode.
+/// The stop.
 fn stop(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
     let (contact, stop) = (equations.contact.as_ref()?, model.stop_of(scene)?);
     let name = stop.name.to_string();
-    // behind the position constraints that there are without it
-    let rows = equations.constraints.rows.iter().take(equations.constraints.n_position_rows);
-    let i_row = rows.filter(|row| row.name != name).count();
+    let i_row = equations.constraints.rows.iter().position(|row| row.name == name)?;
     let restitution = formula_of(names, contact.restitution);
     let gaps: Vec<_> = contact.gaps.iter().map(|[gap, _]| formula_of(names, *gap)).collect();
     let sides = stop.ends().map(|(bound, _)| match bound {

@@ -31,7 +31,7 @@ use quote::quote;
 use crate::mechanics::{Derived, Group};
 use crate::model::case::snake_case;
 use crate::model::{EffectId, Model};
-use type_names::{module_of_modes, scene_type};
+use type_names::scene_type;
 
 /// The module of a model: one type for each scene, and the description of all of them.
 pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
@@ -54,18 +54,6 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
     });
     let names = names::of_model(model, scenes);
     let types = scenes.iter().map(|derived| scene::items(model, derived));
-    let modes = scenes.iter().filter(|derived| !derived.modes.is_empty()).map(|derived| {
-        let module = module_of_modes(&derived.scene);
-        let types = derived.modes.iter().map(|mode| scene::items(model, mode));
-        quote! {
-            #[doc(hidden)]
-            pub mod #module {
-                use super::ezy;
-
-                #(#types)*
-            }
-        }
-    });
     quote! {
         #[doc = #documentation]
         #page
@@ -82,7 +70,6 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
             };
             #(#types)*
             #names
-            #(#modes)*
         }
     }
 }

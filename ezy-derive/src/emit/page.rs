@@ -60,6 +60,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     page.section("Inputs", tables::inputs(model, inputs, &equations.symbols));
     page.section("First-order states", tables::states(model, states, &equations.symbols));
     page.section("Rows", tables::rows(equations));
+    page.section("Switches", tables::switches(model, derived, equations));
     page.equations(&equations::of_scene(equations, names));
     page.section("Outputs", tables::outputs(model, equations, names));
     page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));
@@ -96,10 +97,13 @@ pub fn repeated(model: &Model, templates: &Templates<'_>) -> TokenStream {
     page.attribute()
 }
 
-/// Coordinates less position constraints, velocities less all rows.
+/// Coordinates less position constraints, velocities less all rows, as they are at the start.
 fn freedom(equations: &Equations) -> [usize; 2] {
     let n_q = equations.force.len();
-    [equations.constraints.n_position_rows, equations.constraints.rows.len()].map(|n| n_q.saturating_sub(n))
+    let constraints = &equations.constraints;
+    // a stop is open at the start
+    let hold = |n: usize| constraints.rows[..n].iter().filter(|row| row.kind != "stop").count();
+    [constraints.n_position_rows, constraints.rows.len()].map(|n| n_q.saturating_sub(hold(n)))
 }
 
 /// Paragraphs of Markdown.

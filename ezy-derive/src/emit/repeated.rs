@@ -104,6 +104,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
             events: &[#(#events),*],
             stick_slip: ::core::option::Option::None,
             stop: ::core::option::Option::None,
+            switches: &[],
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,

@@ -9,7 +9,7 @@ use super::kernel::Vocabulary;
 use super::passes::Method;
 use super::places::Lengths;
 use super::signature::{self, Trait};
-use super::type_names::{module_of_modes, scene_type};
+use super::type_names::scene_type;
 use super::{elements, info, jacobians, page, repeated, series};
 use crate::mechanics::Derived;
 use crate::mechanics::derived::Form;
@@ -33,7 +33,6 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let constants = constants.method();
     let parameters: Vec<&Ident> = derived.parameters().iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
-    let modes = access_to_modes(derived, &parameters);
     let elements = (!derived.elements.is_empty()).then(|| elements::method(model, derived));
     let in_lanes = derived.kernels.contains_key(&Quantity::Accelerations).then(access_in_lanes);
     let access_to_series = series.is_some().then(access_to_series);
@@ -57,8 +56,8 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
             #of_derived
             #elements
             #in_lanes
+            ezy::access_to_derivatives! {}
             #access_to_series
-            #modes
         }
 
         #[automatically_derived]
@@ -187,22 +186,6 @@ fn access_to_series() -> TokenStream {
             ::core::option::Option::Some(self)
         }
     }
-}
-
-/// The method that hands out the other modes behind the scene itself, with its parameters.
-fn access_to_modes(derived: &Derived<'_>, parameters: &[&Ident]) -> Option<TokenStream> {
-    let module = module_of_modes(&derived.scene);
-    let others = derived.modes.iter().map(|mode| {
-        let name = scene_type(&mode.scene);
-        quote!(::std::boxed::Box::new(#module::#name { #(#parameters: self.#parameters),* }))
-    });
-    (!derived.modes.is_empty()).then(|| {
-        quote! {
-            fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ezy::Scene>> {
-                ::std::vec![::std::boxed::Box::new(*self), #(#others),*]
-            }
-        }
-    })
 }
 
 fn structure(model: &Model, derived: &Derived<'_>, type_name: &Ident, page: &TokenStream) -> TokenStream {

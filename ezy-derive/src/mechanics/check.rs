@@ -6,7 +6,7 @@
 use super::scene::Equations;
 use super::symbols::{Meaning, Symbols};
 use crate::diag::{Diagnostics, equations as message};
-use crate::model::{Mode, Model, RowId, Scene};
+use crate::model::{Model, RowId, Scene};
 use crate::symbolic::evaluate::Point;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -46,6 +46,10 @@ pub fn rows(model: &Model, diag: &mut Diagnostics) {
             continue;
         }
         let mut equations = Equations::derive(model, scene);
+        // a stop is open wherever rows are compared
+        if let Some(stop) = equations.constraints.rows.iter().position(|row| row.kind == "stop") {
+            equations.constraints.remove_position_row(stop);
+        }
         starts.push((selected.clone(), scene.start));
         let n_errors = diag.n_errors();
         if !known_rows {
@@ -66,8 +70,7 @@ pub fn stops(model: &Model, diag: &mut Diagnostics) {
     for stop in &model.stops {
         let uses = |scene: &&Scene| model.stop_of(scene).is_some_and(|of| std::ptr::eq(of, stop));
         let Some(scene) = model.scenes.iter().find(uses) else { continue };
-        let mode = model.modes_of(scene).into_iter().find(|mode| matches!(mode, Mode::Rests(_)));
-        let equations = Equations::derive(model, &Scene { mode, ..scene.clone() });
+        let equations = Equations::derive(model, scene);
         let constraints = &equations.constraints;
         let rows = constraints.rows.iter().zip(&constraints.convective).filter(|(row, _)| row.kind == "stop");
         let n_terms = rows.map(|(_, &sum)| equations.algebra.terms(sum).len()).max().unwrap_or_default();

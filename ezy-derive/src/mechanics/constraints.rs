@@ -32,7 +32,8 @@ impl Constraints {
         let (mut position, mut velocity, mut jacobian, mut convective) = (vec![], vec![], vec![], vec![]);
         let mut drift = vec![];
         for row in &rows {
-            let rate = match row.residual {
+            let residual = row.switched(writer.algebra);
+            let rate = match residual {
                 ResidualKind::Position(c) => {
                     position.push(c);
                     writer.time_derivative(c)
@@ -40,7 +41,7 @@ impl Constraints {
                 ResidualKind::Velocity(rate) => rate,
             };
             velocity.push(rate);
-            drift.push(match row.residual {
+            drift.push(match residual {
                 ResidualKind::Position(c) => writer.algebra.diff(c, Symbol::TIME),
                 ResidualKind::Velocity(rate) => {
                     let is_velocity = |symbol| matches!(writer.symbols.meaning(symbol), Meaning::Velocity(_));
@@ -59,5 +60,15 @@ impl Constraints {
             convective.push(writer.time_derivative(rate));
         }
         Self { rows, n_position_rows, position, velocity, drift, jacobian, convective }
+    }
+
+    /// Leaves out a position constraint.
+    pub fn remove_position_row(&mut self, row: usize) {
+        self.n_position_rows -= 1;
+        self.rows.remove(row);
+        self.jacobian.remove(row);
+        for sums in [&mut self.position, &mut self.velocity, &mut self.drift, &mut self.convective] {
+            sums.remove(row);
+        }
     }
 }

@@ -19,7 +19,6 @@ use crate::symbolic::program::Count;
 /// A scene and what follows from it.
 #[derive(Debug)]
 pub struct Derived<'m> {
-    /// In its mode.
     pub scene: Scene,
     pub form: Form<'m>,
     pub kernels: Kernels<'m>,
@@ -27,10 +26,8 @@ pub struct Derived<'m> {
     pub series: Result<(), Function>,
     /// What kernels read of parameters; each is computed once.
     pub constants: ConstantPool,
-    /// What a picture of the scene shows; none of its modes.
+    /// What a picture of the scene shows.
     pub elements: Vec<Element<'m>>,
-    /// The scenes that a skate with a limit, or a stop, makes of it.
-    pub modes: Vec<Derived<'m>>,
 }
 
 /// The equations, and what is derived of all of them together.
@@ -62,8 +59,6 @@ impl<'m> Derived<'m> {
         if model.is_repeated() {
             return Self::counted(model, scene);
         }
-        let in_mode = |mode| Self::straight(model, &Scene { mode: Some(mode), ..scene.clone() });
-        let modes = model.modes_of(scene).into_iter().map(in_mode).collect();
         let mut derived = Self::straight(model, scene);
         if let Form::Straight(of) = &mut derived.form {
             let Equations { algebra, symbols, .. } = &mut of.equations;
@@ -71,7 +66,7 @@ impl<'m> Derived<'m> {
             let kernel = programs::elements(algebra, &derived.elements, false, &mut derived.constants);
             derived.kernels.insert(Quantity::Elements, kernel);
         }
-        Self { modes, ..derived }
+        derived
     }
 
     fn straight(model: &Model, scene: &Scene) -> Derived<'m> {
@@ -88,7 +83,7 @@ impl<'m> Derived<'m> {
         kernels.extend(solutions.into_iter().flat_map(programs::solutions));
         write_lets(model, scene, &mut equations.algebra, &mut equations.symbols);
         let form = Form::Straight(Box::new(Straight { equations, elimination, jacobians }));
-        Self { scene: scene.clone(), form, kernels, series, constants, elements: Vec::new(), modes: Vec::new() }
+        Self { scene: scene.clone(), form, kernels, series, constants, elements: Vec::new() }
     }
 
     fn counted(model: &'m Model, scene: &'m Scene) -> Self {
@@ -106,7 +101,7 @@ impl<'m> Derived<'m> {
         let elements = elements(model, scene, algebra, symbols);
         kernels.insert(Quantity::Elements, programs::elements(algebra, &elements, true, &mut constants));
         let form = Form::Counted(Box::new(Counted { templates, jacobians }));
-        Self { scene: scene.clone(), form, kernels, series, constants, elements, modes: Vec::new() }
+        Self { scene: scene.clone(), form, kernels, series, constants, elements }
     }
 
     /// Products and operations of one order of the series; in a scene with counts, those of one member of each item.
@@ -149,6 +144,14 @@ impl<'m> Derived<'m> {
         match &self.form {
             Form::Straight(of) => &of.equations.parameters,
             Form::Counted(of) => &of.templates.parameters,
+        }
+    }
+
+    /// The switches at the start.
+    pub fn switches(&self) -> &[f64] {
+        match &self.form {
+            Form::Straight(of) => &of.equations.switches,
+            Form::Counted(_) => &[],
         }
     }
 

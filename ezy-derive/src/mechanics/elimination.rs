@@ -144,7 +144,8 @@ impl NormalMatrix {
             entries.iter().for_each(|&(column, entry)| rows_of_column[column].push((row, entry)));
         }
         let mut matrix = Self { rows: vec![BTreeMap::new(); jacobian.len()] };
-        for (i, entries) in jacobian.iter().enumerate() {
+        let holds = equations.constraints.rows.iter().map(|row| row.holds);
+        for ((i, entries), holds) in jacobian.iter().enumerate().zip(holds) {
             let mut products: BTreeMap<usize, Vec<(usize, SumId, SumId)>> = BTreeMap::new();
             for &(k, a) in entries {
                 let others = rows_of_column[k].iter().filter(|&&(j, _)| j >= i);
@@ -156,6 +157,11 @@ impl NormalMatrix {
                     let product = algebra.mul(a, b);
                     let inverse = algebra.coefficients.div(Coefficient::ONE, equations.mass[k]);
                     parts.push(algebra.scale(product, inverse));
+                }
+                // a row that is switched off is 0 = 0 but for this pivot
+                if let Some(holds) = holds.filter(|_| i == j) {
+                    let off = algebra.coefficients.add(Coefficient::ONE, holds.neg());
+                    parts.push(algebra.constant(off));
                 }
                 let entry = algebra.total(&parts);
                 matrix.set(i, j, entry);

@@ -2,7 +2,7 @@
 
 use super::symbols::Symbols;
 use crate::function::{Function, Operator};
-use crate::model::{self, Arguments, BodyId, Component, Expr, InputId, Model, Part};
+use crate::model::{self, Arguments, BodyId, Component, Expr, InputId, Model, Part, Switch};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -101,6 +101,11 @@ impl<'a> Writer<'a> {
     fn whole(&mut self, place: usize) -> SumId {
         let whole = self.algebra.coefficients.parameter(self.model.parameters.len() + place);
         self.algebra.constant(whole)
+    }
+
+    /// A number that the run sets.
+    pub fn switch(&mut self, switch: Switch) -> Coefficient {
+        self.algebra.coefficients.parameter(self.model.place_of_switch(switch))
     }
 
     /// A value that `model` has checked to depend on parameters alone.

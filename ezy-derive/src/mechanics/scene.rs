@@ -8,7 +8,7 @@ use super::kinematics::Vector;
 use super::rows;
 use super::stop::{self, Contact};
 use super::symbols::Symbols;
-use crate::model::{BodyId, Component, Coordinate, EffectId, InputId, Mode, Model, ParameterId, Scene};
+use crate::model::{BodyId, Component, Coordinate, EffectId, InputId, Model, ParameterId, Scene};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -29,6 +29,8 @@ pub struct Equations {
     pub events: Vec<SceneEvent>,
     /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
     pub stick_slip: Option<[SumId; 2]>,
+    /// The values of its switches at the start.
+    pub switches: Vec<f64>,
     /// What its stop looks at.
     pub contact: Option<Contact>,
     /// Diagonal of M.
@@ -81,7 +83,8 @@ impl Equations {
     pub fn derive(model: &Model, scene: &Scene) -> Self {
         let mut algebra = Algebra::new();
         let (parameters, inputs) = called(model, scene);
-        let mut symbols = Symbols::new(model, &inputs);
+        let switched = model.switched_of(scene);
+        let mut symbols = Symbols::new(model, &inputs, switched.map(|(row, _)| row));
         let mut writer = Writer::new(model, &mut algebra, &symbols);
 
         let mass = mass_matrix(&mut writer);
@@ -97,8 +100,7 @@ impl Equations {
         let mut events = SceneEvent::declared(&mut writer, model, scene);
         let stick_slip = model.stick_slip_of(scene).map(|(row, limit)| sliding::stick_slip(&mut writer, row, limit));
         let contact = model.stop_of(scene).map(|stop| Contact::derive(&mut writer, stop));
-        let mut laws = laws(&mut writer, scene, &force, stick_slip);
-        laws.extend(&rates);
+        let laws: Vec<SumId> = force.iter().chain(stick_slip.iter().flatten().take(1)).chain(&rates).copied().collect();
         events.extend(SceneEvent::discontinuities(writer.algebra, &laws));
         events.extend(SceneEvent::layers(&writer.layers));
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
@@ -113,6 +115,7 @@ impl Equations {
             outputs,
             events,
             stick_slip,
+            switches: switched.iter().flat_map(|(_, switches)| *switches).collect(),
             contact,
             mass,
             mass_entries,
@@ -173,8 +176,8 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
             load.add(writer, force);
         }
         let stick_slip = model.stick_slip_of(scene).filter(|(row, _)| row.effect == group);
-        if let (Some((row, limit)), Some(Mode::Slides(side))) = (stick_slip, scene.mode) {
-            sliding::add(writer, row, limit, side, &mut load);
+        if let Some((row, limit)) = stick_slip {
+            sliding::add(writer, row, limit, &mut load);
         }
         let (generalised, power) = load.finish(writer);
         for (total, part) in applied.force.iter_mut().zip(generalised) {
@@ -189,15 +192,7 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
     applied
 }
 
-/// What may have discontinuities: F and the limit of a skate, the same in every mode of the skate.
-fn laws(writer: &mut Writer<'_>, scene: &Scene, force: &[SumId], stick_slip: Option<[SumId; 2]>) -> Vec<SumId> {
-    let Some([limit, _]) = stick_slip else { return force.to_vec() };
-    let mut laws = applied_forces(writer, &Scene { mode: None, ..scene.clone() }).force;
-    laws.push(limit);
-    laws
-}
-
-/// Adds the power Σ λ_i g_t,i of the constraints that move with time, a `stop` in a group of its own, which it has in every mode;
+/// Adds the power Σ λ_i g_t,i of the constraints that move with time, a `stop` in a group of its own;
 /// returns the symbols of these λ_i with their rows.
 ///
 /// From M a + Gᵀ λ = F and G v = −g_t: d/dt ½ vᵀ M v = F·v − λ·G v = F·v + λ·g_t.

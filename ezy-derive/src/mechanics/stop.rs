@@ -2,8 +2,9 @@
 
 use super::expression::Writer;
 use super::rows::{ResidualKind, ScalarRow};
-use crate::model::{Bound, Expr, Mode, Model, Scene, Stop};
+use crate::model::{Bound, Expr, Model, Scene, Stop, Switch};
 use crate::symbolic::SumId;
+use crate::symbolic::coefficient::Coefficient;
 
 /// The event functions of a stop.
 #[derive(Debug)]
@@ -33,19 +34,35 @@ impl Contact {
     }
 }
 
-/// The row of a stop that holds: quantity − bound. `None` in a scene that has none, or whose stop does not hold.
+/// The row of a stop that holds: quantity − bound, of two bounds the one of its side. `None` in a scene without a stop.
 pub fn row(writer: &mut Writer<'_>, model: &Model, scene: &Scene) -> Option<ScalarRow> {
-    let Some(Mode::Rests(bound)) = scene.mode else { return None };
     let stop = model.stop_of(scene)?;
-    let (_, value) = stop.ends().find(|(end, _)| *end == bound)?;
+    let residual = match &stop.bounds {
+        [Some(lower), Some(upper)] => {
+            let side = writer.switch(Switch::Side);
+            let weights = [share(writer, side), share(writer, side.neg())];
+            let parts = [lower, upper].map(|bound| excess(writer, stop, bound));
+            let parts = [0, 1].map(|i| writer.algebra.scale(parts[i], weights[i]));
+            writer.algebra.total(&parts)
+        }
+        [bound, other] => excess(writer, stop, bound.as_ref().or(other.as_ref())?),
+    };
     Some(ScalarRow {
         name: stop.name.to_string(),
         kind: "stop",
         unit: stop.multiplier_unit.clone(),
-        residual: ResidualKind::Position(excess(writer, stop, value)),
+        residual: ResidualKind::Position(residual),
         // it is no row of the model
         family: model.rows.len(),
+        holds: Some(writer.switch(Switch::Holds)),
     })
+}
+
+/// (1 + side)/2: without rounding 1 on this side and 0 on the other one.
+fn share(writer: &mut Writer<'_>, side: Coefficient) -> Coefficient {
+    let coefficients = &mut writer.algebra.coefficients;
+    let (sum, half) = (coefficients.add(Coefficient::ONE, side), coefficients.number(0.5));
+    coefficients.mul(sum, half)
 }
 
 /// The quantity less a bound.

@@ -1,7 +1,9 @@
 //! The symbols of a scene: time, coordinates, velocities, and values named on the way.
 
+use proc_macro2::Ident;
+
 use crate::model::whole::{Whole, WholeNames};
-use crate::model::{BodyId, Component, Coordinate, InputId, Model};
+use crate::model::{BodyId, Component, Coordinate, InputId, Model, Switch};
 use crate::symbolic::coefficient::{Coefficient, CoefficientId};
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::spelling;
@@ -16,7 +18,7 @@ pub struct Symbols {
     inputs: Vec<(InputId, Printed)>,
     /// How many of them are first-order states, the last ones.
     n_states: usize,
-    /// Parameters, then whole numbers: [`Model::whole`].
+    /// Parameters, then whole numbers ([`Model::whole`]), then switches.
     parameters: Vec<Printed>,
     lets: Vec<Let>,
     named: Vec<String>,
@@ -43,8 +45,8 @@ pub enum Meaning {
 }
 
 impl Symbols {
-    /// The symbols of a scene with these inputs, behind which its first-order states stand.
-    pub fn new(model: &Model, inputs: &[InputId]) -> Self {
+    /// The symbols of a scene with these inputs, behind which its first-order states stand; `switched` is the name of its row that is switched.
+    pub fn new(model: &Model, inputs: &[InputId], switched: Option<&Ident>) -> Self {
         let (mut coordinates, mut velocities) = (Vec::new(), Vec::new());
         for body in &model.bodies {
             let body = body.name.clone();
@@ -57,7 +59,10 @@ impl Symbols {
         let counts = model.counts.iter().map(|count| &count.name);
         let parameters = model.parameters.iter().map(|p| &p.name).chain(counts).map(ToString::to_string);
         let parameters = parameters.chain(model.indices.iter().cloned()).map(|name| spelling::name(&name));
-        let parameters = parameters.chain(model.quotients.iter().map(|of| quotient(model, of))).collect();
+        let switches =
+            switched.into_iter().flat_map(|row| Switch::ALL.map(|switch| format!("{row}_{}", switch.suffix())));
+        let parameters = parameters.chain(model.quotients.iter().map(|of| quotient(model, of)));
+        let parameters = parameters.chain(switches.map(|name| spelling::name(&name))).collect();
         let n_states = inputs.iter().filter(|id| model.inputs[id.0].rate.is_some()).count();
         let inputs = inputs.iter().map(|&id| (id, spelling::name(&model.inputs[id.0].name.to_string()))).collect();
         Self { coordinates, velocities, inputs, n_states, parameters, lets: Vec::new(), named: Vec::new() }

@@ -334,8 +334,6 @@ pub struct Scene {
     pub ends: Vec<usize>,
     /// Conditions of its own that end it.
     pub conditions: Vec<Event>,
-    /// The mode; `None` for that of the start: the skate holds, the stop is open.
-    pub mode: Option<Mode>,
 }
 
 impl Scene {
@@ -345,18 +343,27 @@ impl Scene {
     }
 }
 
-/// A mode of a scene with a skate that has a limit, or with a stop.
+/// A number that says how the row of a skate with a limit, or of a stop, takes part. A run sets it; equations read it like a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mode {
-    Slides(Side),
-    Rests(Bound),
+pub enum Switch {
+    /// 1 while the row holds, 0 otherwise.
+    Holds,
+    /// Of a skate 1 while it slides to the left of its direction, -1 to the right, 0 while it holds; of a stop 1 for the lower end, -1 for
+    /// the upper one.
+    Side,
 }
 
-/// The side of its direction to which a skate slides.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    Left,
-    Right,
+impl Switch {
+    /// In the order of their places.
+    pub const ALL: [Self; 2] = [Self::Holds, Self::Side];
+
+    /// Behind the name of the row.
+    pub fn suffix(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::Side => "side",
+        }
+    }
 }
 
 /// An end of a stop.
@@ -396,10 +403,12 @@ impl Model {
         declared.chain(scene.conditions.iter().map(|condition| (condition, true)))
     }
 
-    /// The rows of a scene: those of the model and of its effects, without what its effects release and what slides.
+    /// The rows of a scene: those of the model and of its effects, without what its effects release.
     pub fn rows_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (RowId, &'a Row)> {
-        let slides = matches!(scene.mode, Some(Mode::Slides(_)));
-        self.selected_rows(scene).filter(move |(_, row)| !slides || row.limit().is_none())
+        let called = |row: &Row| scene.calls_for(row.effect);
+        let released = |id: RowId| scene.effects.iter().any(|effect| self.effects[effect.0].releases.contains(&id));
+        let rows = self.rows.iter().enumerate().map(|(i, row)| (RowId(i), row));
+        rows.filter(move |(id, row)| called(row) && !released(*id))
     }
 
     /// The outputs of a scene with their places: those of the model and of its effects.
@@ -423,25 +432,20 @@ impl Model {
         self.stops.iter().filter(|stop| scene.calls_for(stop.effect))
     }
 
-    /// The modes of a scene besides that of its start.
-    pub fn modes_of(&self, scene: &Scene) -> Vec<Mode> {
-        match (self.stick_slip_of(scene), self.stop_of(scene)) {
-            (Some(_), _) => [Side::Left, Side::Right].map(Mode::Slides).to_vec(),
-            (None, Some(stop)) => stop.ends().map(|(bound, _)| Mode::Rests(bound)).collect(),
-            (None, None) => Vec::new(),
-        }
+    /// The row of a scene that is switched, and its switches at the start: a skate holds, a stop is open.
+    pub fn switched_of<'a>(&'a self, scene: &'a Scene) -> Option<(&'a Ident, [f64; 2])> {
+        let skate = self.stick_slip_of(scene).map(|(row, _)| (&row.name, [1.0, 0.0]));
+        skate.or_else(|| self.stop_of(scene).map(|stop| (&stop.name, [0.0, 0.0])))
+    }
+
+    /// Where a switch stands behind the parameters and whole numbers.
+    pub fn place_of_switch(&self, switch: Switch) -> usize {
+        self.n_values() + switch as usize
     }
 
     /// The skate of a scene that holds up to a limit, and the limit.
     pub fn stick_slip_of<'a>(&'a self, scene: &'a Scene) -> Option<(&'a Row, &'a Expr)> {
-        self.selected_rows(scene).find_map(|(_, row)| Some((row, row.limit()?)))
-    }
-
-    fn selected_rows<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (RowId, &'a Row)> {
-        let called = |row: &Row| scene.calls_for(row.effect);
-        let released = |id: RowId| scene.effects.iter().any(|effect| self.effects[effect.0].releases.contains(&id));
-        let rows = self.rows.iter().enumerate().map(|(i, row)| (RowId(i), row));
-        rows.filter(move |(id, row)| called(row) && !released(*id))
+        self.rows_of(scene).find_map(|(_, row)| Some((row, row.limit()?)))
     }
 }
 

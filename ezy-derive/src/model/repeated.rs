@@ -16,7 +16,13 @@ impl Model {
         self.wholes().nth(place)
     }
 
-    /// Parameters and whole numbers as declared: counts, and indices in the first pass of their `for`. NaN where there is none.
+    /// How many parameters and whole numbers there are.
+    pub fn n_values(&self) -> usize {
+        self.parameters.len() + self.wholes().count()
+    }
+
+    /// Parameters and whole numbers as declared: counts, and indices in the first pass of their `for`; NaN where there is none. Last the
+    /// switches of a row that holds.
     pub fn defaults(&self) -> Vec<f64> {
         let counts: Vec<i64> = self.counts.iter().map(|count| count.default).collect();
         let mut indices = Vec::new();
@@ -31,7 +37,7 @@ impl Model {
         }
         let values = Values { counts: &counts, indices: &indices };
         let wholes = self.wholes().map(|whole| whole.evaluate(&values).map_or(f64::NAN, |value| value as f64));
-        self.parameters.iter().map(|parameter| parameter.default).chain(wholes).collect()
+        self.parameters.iter().map(|parameter| parameter.default).chain(wholes).chain([1.0, 0.0]).collect()
     }
 
     /// The `for` of an index with those around it, outermost first.

@@ -28,7 +28,7 @@ impl Context<'_> {
         self.check_shared_parameters(scene, &effects, choice);
         let (ends, conditions) = self.ends(scene, &effects, choice.effects);
         let name = scene.name.clone();
-        Some(Scene { name, documentation, start: start?, until_s: until_s?, effects, ends, conditions, mode: None })
+        Some(Scene { name, documentation, start: start?, until_s: until_s?, effects, ends, conditions })
     }
 
     /// The rows that an effect releases.

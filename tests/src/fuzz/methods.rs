@@ -236,7 +236,7 @@ impl Case {
 
     /// The motion of `explicit` in double-double; none where the scene has no series, changes its modes, or crosses a singular position.
     fn precise(&self, scene: &dyn Scene, explicit: &Motion) -> Option<Motion> {
-        if explicit.crosses_any || !scene.modes().is_empty() {
+        if explicit.crosses_any || !scene.info().switches.is_empty() {
             return None;
         }
         let n_q = scene.info().n_coordinates();

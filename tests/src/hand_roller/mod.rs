@@ -174,6 +174,4 @@ impl Scene for HandRoller {
         out[4] = q[0] + c[1] * c1;
         out[5] = q[1] + c[1] * s1;
     }
-
-    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
 }

@@ -21,9 +21,12 @@ mod error_estimate;
 mod events;
 mod exact_start;
 mod feedback;
+mod fields;
 mod first_order;
 mod fuzz;
 mod garage;
+#[cfg(feature = "analysis")]
+mod gradients;
 mod guide;
 mod hand_and_generated;
 mod hard;

@@ -47,6 +47,9 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
             "distances": list(stop.hits, |end| formula(&end.formula)),
             "restitution": formula(&stop.restitution),
         })),
+        "switches": list(info.switch_names().iter().zip(info.switches), |((name, said), value)| {
+            json!({ "name": name, "at_start": value, "documentation": said })
+        }),
         "effects": list(info.effects, |effect| json!(effect.name)),
         "points": list(&*info.points, |point| {
             let [x, y] = [0, 1].map(|i| point.position.as_ref().map(|position| formula(&position[i])));

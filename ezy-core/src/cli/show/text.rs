@@ -10,12 +10,12 @@ use super::{OPERATIONS, freedom, kernels, pattern, pivot, series, with_equations
 pub(super) fn scene(info: &SceneInfo) -> String {
     let mut text = format!("{}/{}\n{}\n", info.model, info.name, info.documentation.trim());
     let [positions, velocities] = freedom(info);
+    let [n_position_rows, n_rows] = info.n_rows_at_start();
     text += &format!(
         "\ndegrees of freedom: {positions} in position, {velocities} in velocity\n\
-         {} bodies, {} position constraints, {} velocity constraints, {} entries of the Jacobian\n",
+         {} bodies, {n_position_rows} position constraints, {} velocity constraints, {} entries of the Jacobian\n",
         info.bodies.len(),
-        info.n_position_rows,
-        info.n_rows() - info.n_position_rows,
+        n_rows - n_position_rows,
         info.jacobian.n_nonzeros()
     );
     for table in tables(info) {
@@ -83,6 +83,10 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     let ends = info.stop.iter().flat_map(|stop| stop.hits.iter().map(move |end| (stop, end)));
     let ends = ends.map(|(stop, end)| [stop.name, end.formula.text, stop.restitution.text, "", ""]);
     put(["stop", "keeps from below zero", "restitution", "", ""], ends.collect());
+    let switches = info.switch_names();
+    let values = info.switches.iter().map(ToString::to_string).collect::<Vec<_>>();
+    let said = switches.iter().zip(&values).map(|((name, said), value)| [name.as_str(), value, said, "", ""]);
+    put(["switch", "at the start", "what it is", "", ""], said.collect());
     if info.repeats.is_some() {
         return tables;
     }

@@ -51,3 +51,12 @@ fn fd_functions_of_two_numbers() {
     check(|x, y| x.powf(y), 1.4, -1.2, f64::powf);
     check(|x, _| x.powf(Dual::constant(3.0)), -1.4, 0.0, |x, _| x.powf(3.0));
 }
+
+#[test]
+fn analytic_root_of_a_sum_of_squares_has_no_derivative_at_zero() {
+    let [x, y] = [0, 1].map(|i| Dual::<2>::variable(0.0, i));
+    let drag = (x * x + y * y).sqrt() * x;
+    assert_eq!((drag.value, drag.derivatives), (0.0, [0.0, 0.0]));
+    let root = x.sqrt();
+    assert_eq!(root.derivatives, [f64::INFINITY, 0.0]);
+}

@@ -5,14 +5,15 @@
 
 mod double_root;
 mod event_function;
+mod step_samples;
 
 use super::stepping::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::integrate::{resolution_at, root, side_of};
 use crate::model::{EventInfo, EventKind, SceneRef};
 use crate::simulate::tolerances::events::{N_PARTS, NOTHING};
-use double_root::double_root;
 pub(super) use event_function::EventFunction;
+use step_samples::StepSamples;
 
 /// An event that took place.
 #[derive(Debug, Clone)]
@@ -30,9 +31,9 @@ pub(super) struct Passage {
     pub event: &'static EventInfo,
 }
 
-/// Samples event functions and keeps the events of a run.
+/// Finds roots of event functions and keeps the events of a run.
 pub(super) struct EventDetector {
-    function: EventFunction,
+    samples: StepSamples,
     events: &'static [EventInfo],
     /// Number of events to report: discontinuities come last and are not reported.
     n_told: usize,
@@ -40,13 +41,6 @@ pub(super) struct EventDetector {
     sides: Vec<f64>,
     /// Whether no step was sampled yet.
     fresh: bool,
-    /// Times of the samples.
-    times: [f64; N_PARTS + 1],
-    /// Values there.
-    values: [Vec<f64>; N_PARTS + 1],
-    /// Values at a time that is tried.
-    tried: Vec<f64>,
-    place: State,
     /// Of the present step.
     passages: Vec<Passage>,
     pub occurred: Vec<Occurrence>,
@@ -55,20 +49,15 @@ pub(super) struct EventDetector {
 impl EventDetector {
     /// `like`: any state of the scene.
     pub(super) fn new(function: EventFunction, events: &'static [EventInfo], like: &State) -> Self {
-        let zeros = || vec![0.0; events.len()];
         Self {
-            function,
+            samples: StepSamples::new(function, events.len(), like),
             events,
             n_told: events
                 .iter()
                 .filter(|event| !matches!(event.kind, EventKind::Discontinuity | EventKind::Layer))
                 .count(),
-            sides: zeros(),
+            sides: vec![0.0; events.len()],
             fresh: true,
-            times: [0.0; N_PARTS + 1],
-            values: std::array::from_fn(|_| zeros()),
-            tried: zeros(),
-            place: like.clone(),
             passages: Vec::new(),
             occurred: Vec::new(),
         }
@@ -91,8 +80,9 @@ impl EventDetector {
     /// Keeps the events of the step that was sampled last.
     pub(super) fn keep<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         for Passage { t, event } in self.passages.drain(..) {
-            stepper.find(t, &mut self.place)?;
-            self.occurred.push(Occurrence { event, state: self.place.clone() });
+            let mut state = stepper.now.state.clone();
+            stepper.find(t, &mut state)?;
+            self.occurred.push(Occurrence { event, state });
         }
         Ok(())
     }
@@ -114,7 +104,7 @@ impl EventDetector {
         let (mut last, mut beyond) = (stepper.now.state.t, undefined);
         while beyond - last > resolution_at(beyond) {
             let t = 0.5 * (last + beyond);
-            match self.value(stepper, 0, t) {
+            match self.samples.value(stepper, 0, t) {
                 Ok(_) => last = t,
                 Err(_) => beyond = t,
             }
@@ -124,20 +114,20 @@ impl EventDetector {
 
     /// Whether a value is below zero at the end of the step.
     pub(super) fn ends_below(&self) -> bool {
-        self.values[N_PARTS].iter().any(|&value| value < 0.0)
+        self.samples.values[N_PARTS].iter().any(|&value| value < 0.0)
     }
 
     /// Finds the roots of a step, in time order.
     fn find<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         self.passages.clear();
-        self.sample(stepper)?;
+        self.samples.sample(stepper)?;
         if self.fresh {
             self.begin();
         }
         for i in 0..self.n_told {
             for part in 1..=N_PARTS {
-                let ends = [part - 1, part].map(|k| (self.times[k], self.values[k][i]));
-                match self.double_root(stepper, i, part)? {
+                let ends = [part - 1, part].map(|k| self.samples.at(k, i));
+                match self.samples.double_root(stepper, i, part)? {
                     Some(lowest) => {
                         self.compare(stepper, i, [ends[0], lowest])?;
                         self.compare(stepper, i, [lowest, ends[1]])?;
@@ -150,60 +140,15 @@ impl EventDetector {
         Ok(())
     }
 
-    /// Samples the functions over a step.
-    fn sample<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
-        let (from, to) = (stepper.now.state.t, stepper.next.state.t);
-        for part in 0..=N_PARTS {
-            let t = from + (to - from) * part as f64 / N_PARTS as f64;
-            let state = match part {
-                0 => &stepper.now.state,
-                N_PARTS => &stepper.next.state,
-                _ => {
-                    stepper.inside(t, &mut self.place)?;
-                    &self.place
-                }
-            };
-            self.times[part] = state.t;
-            self.function.read(&mut stepper.system, state, &mut self.values[part])?;
-        }
-        Ok(())
-    }
-
     /// Signs at the start of a run.
     fn begin(&mut self) {
         self.fresh = false;
         for (i, side) in self.sides.iter_mut().enumerate() {
-            let first = self.values[0][i];
-            let largest = self.values.iter().fold(0.0, |largest: f64, values| largest.max(values[i].abs()));
+            let values = &self.samples.values;
+            let largest = values.iter().fold(0.0, |largest: f64, values| largest.max(values[i].abs()));
+            let first = values[0][i];
             *side = if first.abs() > NOTHING * largest { side_of(first) } else { 0.0 };
         }
-    }
-
-    /// Function `i` at `t` within the step.
-    fn value<P: SceneRef>(&mut self, stepper: &mut StepperState<P>, i: usize, t: f64) -> Result<f64, MotionError> {
-        stepper.inside(t, &mut self.place)?;
-        self.function.read(&mut stepper.system, &self.place, &mut self.tried)?;
-        Ok(self.tried[i])
-    }
-
-    /// A time within a part of the step, and the value there, whose sign differs from both ends of the part.
-    fn double_root<P: SceneRef>(
-        &mut self,
-        stepper: &mut StepperState<P>,
-        i: usize,
-        part: usize,
-    ) -> Result<Option<(f64, f64)>, MotionError> {
-        let side = side_of(self.values[part][i]);
-        if side == 0.0 || side != side_of(self.values[part - 1][i]) {
-            return Ok(None);
-        }
-        let place = |k: usize| (self.times[k], side * self.values[k][i]);
-        let others: [Option<usize>; 2] = [part.checked_sub(2), (part < N_PARTS).then_some(part + 1)];
-        let others = others.map(|k| k.map(place));
-        let lowest = double_root(place(part - 1), place(part), others.into_iter().flatten(), |t| {
-            self.value(stepper, i, t).map(|value| side * value)
-        })?;
-        Ok(lowest.map(|t| (t, self.tried[i])))
     }
 
     /// Keeps the root of function `i` when its sign changes between two samples.
@@ -226,7 +171,7 @@ impl EventDetector {
         let t = if side_of(before) == side {
             t_before
         } else {
-            root((t_before, before), (t, after), resolution_at(t), |t| self.value(stepper, i, t))?
+            root((t_before, before), (t, after), resolution_at(t), |t| self.samples.value(stepper, i, t))?
         };
         self.passages.push(Passage { t, event });
         Ok(())

@@ -5,7 +5,7 @@
 //! v and v₀ keep it, and the rate of the quantity becomes −e times what it was.
 
 use super::Modes;
-use crate::dynamics::{MotionError, SystemRow};
+use crate::dynamics::{MotionError, System, SystemRow};
 use crate::integrate::resolution_at;
 use crate::model::{EventInfo, SceneRef, StopInfo};
 use crate::simulate::SetupError;
@@ -27,15 +27,14 @@ struct Contact {
 
 /// Begins in contact when the start is at rest on an end. Refuses a start beyond an end.
 pub(super) fn start<P: SceneRef>(
-    modes: &mut Modes<P>,
+    modes: &mut Modes,
     info: &'static StopInfo,
     stepper: &mut StepperState<P>,
 ) -> Result<(), SetupError> {
     let Contact { end, gap, rate, .. } = nearest(info, stepper)?;
     let state = &stepper.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
-    let Some(rest) = modes.parked_in(end + 1) else { return Ok(()) };
-    let touching = rest.system.position_tolerance(&row);
+    let touching = stepper.system.diagnosis().position_tolerance(&row);
     if gap < -touching {
         let scene = stepper.system.info().name;
         return Err(SetupError::BeyondStop { scene, stop: info.name, end: info.end(end), beyond: -gap });
@@ -44,7 +43,7 @@ pub(super) fn start<P: SceneRef>(
         return Ok(());
     }
     check_rate(info, end, state.t, rate)?;
-    let stands = rate == 0.0 || flight_is_too_short(info, end, stepper, rest);
+    let stands = rate == 0.0 || flight_is_too_short(info, end, stepper);
     if stands {
         modes.change(stepper)?;
         modes.occurred.clear();
@@ -53,14 +52,38 @@ pub(super) fn start<P: SceneRef>(
     Ok(())
 }
 
+/// A distance, or a rate of one, that is no number.
+pub(super) fn fault<P: SceneRef>(
+    info: &StopInfo,
+    system: &System<P>,
+    t: f64,
+    q: &[f64],
+    v: &[f64],
+) -> Option<MotionError> {
+    let mut values = vec![0.0; n_values(info)];
+    let rates = |values: &[f64]| {
+        let ends = 0..info.hits.len();
+        ends.map(|end| check_rate(info, end, t, values[2 * end + 1])).find_map(Result::err)
+    };
+    system.checked_stop(info, t, q, v, &mut values).err().or_else(|| rates(&values))
+}
+
+/// Switches of a mode: whether the row holds, and its side.
+pub(super) fn switches(info: &StopInfo, mode: usize) -> (bool, f64) {
+    match mode {
+        FREE => (false, 0.0),
+        _ => (true, side(info, mode)),
+    }
+}
+
 /// Whether the closed contact would have to pull.
-pub(super) fn ends<P: SceneRef>(modes: &Modes<P>, info: &StopInfo, stepper: &StepperState<P>) -> bool {
+pub(super) fn ends<P: SceneRef>(modes: &Modes, info: &StopInfo, stepper: &StepperState<P>) -> bool {
     modes.mode != FREE && push(info, modes.mode, stepper) < 0.0
 }
 
 /// Free to free or to contact, by an impact; contact to free. Returns whether the distance then begins at zero.
 pub(super) fn change<P: SceneRef>(
-    modes: &mut Modes<P>,
+    modes: &mut Modes,
     info: &'static StopInfo,
     stepper: &mut StepperState<P>,
 ) -> Result<bool, MotionError> {
@@ -83,13 +106,12 @@ pub(super) fn function<P: SceneRef>(
         return (EventFunction::Gaps { info, values: vec![0.0; n_values(info)] }, info.hits);
     }
     let (a, lambda) = (stepper.now.a.clone(), stepper.now.lambda.clone());
-    let side = f64::from(info.sides[mode - 1]);
-    (EventFunction::Push { row: info.row, side, a, lambda }, std::slice::from_ref(&info.lets_go))
+    (EventFunction::Push { row: info.row, side: side(info, mode), a, lambda }, std::slice::from_ref(&info.lets_go))
 }
 
 /// The impact, and the choice of the next mode.
 fn arrive<P: SceneRef>(
-    modes: &mut Modes<P>,
+    modes: &mut Modes,
     info: &'static StopInfo,
     stepper: &mut StepperState<P>,
 ) -> Result<(), MotionError> {
@@ -103,21 +125,25 @@ fn arrive<P: SceneRef>(
         modes.tell(&info.hits[end], stepper);
     }
     let mode = end + 1;
-    let Some(rest) = modes.parked_in(mode) else { return Ok(()) };
-    rest.apply_impact(stepper)?;
     let e = if comes { restitution } else { 0.0 };
-    let (before, landed) = (stepper.energy(), &rest.now.state);
-    let velocities = landed.v.iter().zip(&stepper.now.state.v).map(|(v0, v)| v0 + e * (v0 - v)).collect();
-    stepper.apply_restitution(&landed.q, velocities)?;
-    let stays = e == 0.0 || flight_is_too_short(info, end, stepper, rest);
-    let rests = stays && push(info, mode, rest) >= 0.0;
-    let arrived = if rests { &mut *rest } else { &mut *stepper };
-    let lost = arrived.energy() - before;
-    if let Some(work) = arrived.now.state.work.last_mut() {
+    let (before, v) = (stepper.energy(), stepper.now.state.v.clone());
+    stepper.apply_impact(side(info, mode))?;
+    let (landed, pushes) = (stepper.now.state.v.clone(), push(info, mode, stepper) >= 0.0);
+    let mut rests = pushes && e == 0.0;
+    if !rests {
+        let velocities: Vec<f64> = landed.iter().zip(&v).map(|(v0, v)| v0 + e * (v0 - v)).collect();
+        stepper.let_go(&velocities)?;
+        rests = pushes && flight_is_too_short(info, end, stepper);
+        if rests {
+            stepper.hold(side(info, mode), &landed)?;
+        }
+    }
+    let lost = stepper.energy() - before;
+    if let Some(work) = stepper.now.state.work.last_mut() {
         *work += lost;
     }
     if rests {
-        modes.swap(mode, stepper);
+        modes.mode = mode;
         modes.tell(&info.holds, stepper);
     }
     Ok(())
@@ -125,15 +151,13 @@ fn arrive<P: SceneRef>(
 
 /// Whether the flight from an end back to it, under the acceleration at its start, is too short to be followed; not when the acceleration
 /// points away from the end.
-fn flight_is_too_short<P: SceneRef>(
-    info: &StopInfo,
-    end: usize,
-    stepper: &StepperState<P>,
-    rest: &mut StepperState<P>,
-) -> bool {
+fn flight_is_too_short<P: SceneRef>(info: &StopInfo, end: usize, stepper: &mut StepperState<P>) -> bool {
     let state = &stepper.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
-    let (acceleration, rounding) = rest.system.row_acceleration(&row, &stepper.now.a);
+    // the row says how fast its quantity falls
+    stepper.system.switch(true, side(info, end + 1));
+    let (acceleration, rounding) = stepper.system.diagnosis().row_acceleration(&row, &stepper.now.a);
+    stepper.system.switch(false, 0.0);
     let fall = -f64::from(info.sides[end]) * acceleration;
     if fall.is_nan() || fall <= 0.0 {
         return false;
@@ -164,11 +188,16 @@ fn check_rate(info: &StopInfo, end: usize, t: f64, rate: f64) -> Result<(), Moti
     Err(MotionError::StopNotFinite { t, stop: info.name, end: info.end(end), what: "speed", value: rate })
 }
 
+/// Of the end that holds in a mode: 1 for the lower one, -1 for the upper one.
+fn side(info: &StopInfo, mode: usize) -> f64 {
+    f64::from(info.sides[mode - 1])
+}
+
 fn n_values(info: &StopInfo) -> usize {
     2 * info.hits.len() + 1
 }
 
 /// Force of the stop that holds, away from the end.
 fn push<P: SceneRef>(info: &StopInfo, mode: usize, stepper: &StepperState<P>) -> f64 {
-    -f64::from(info.sides[mode - 1]) * stepper.now.lambda[info.row]
+    -side(info, mode) * stepper.now.lambda[info.row]
 }

@@ -1,4 +1,4 @@
-//! Scenes with modes: one motion for each mode, and the changes between modes.
+//! Scenes with modes: a skate with a limit, or a stop, switches its row on and off.
 
 mod contact;
 mod stick_slip;
@@ -6,12 +6,11 @@ mod stick_slip;
 use super::SetupError;
 use super::events::{EventDetector, Occurrence};
 use super::stepping::stepper_state::StepperState;
-use crate::dynamics::MotionError;
+use crate::dynamics::{MotionError, State, System};
 use crate::integrate::resolution_at;
-use crate::model::{EventInfo, SceneInfo, SceneRef, StickSlipInfo, StopInfo};
+use crate::model::{EventInfo, SceneRef, StickSlipInfo, StopInfo};
 use crate::simulate::tolerances::events::N_PARTS;
 use crate::simulate::tolerances::modes::MAX_AT_ONCE;
-use std::sync::Arc;
 
 /// The law that gives a scene its modes.
 #[derive(Clone, Copy)]
@@ -20,19 +19,18 @@ enum Law {
     Stop(&'static StopInfo),
 }
 
-/// The inactive modes, and the event that ends the active one.
-pub(super) struct Modes<P: SceneRef> {
+/// The mode of a scene, and the event that ends it.
+pub(super) struct Modes {
     law: Law,
-    /// Index of the active one in `Derived::modes`.
+    /// 0 at the start, in which a skate holds and a stop is open; a number more for each side or end.
     mode: usize,
-    parked: Vec<(usize, StepperState<P>)>,
     detector: EventDetector,
     /// Whether the mode has made no step yet. Its event function may then begin at zero.
     begins: bool,
     /// Whether the next step begins with a change of mode.
     is_due: bool,
     /// Steps that were made and discarded.
-    n_taken_back: u64,
+    pub n_taken_back: u64,
     pub occurred: Vec<Occurrence>,
 }
 
@@ -46,54 +44,29 @@ enum Cut {
     AtOnce,
 }
 
-impl<P: SceneRef> Modes<P> {
-    /// For a scene that starts in mode `first` and may change to `others`; `None` for a scene without modes.
-    pub(super) fn new(first: &StepperState<P>, others: Vec<StepperState<P>>) -> Option<Self> {
-        let info = first.system.info();
+impl Modes {
+    /// For a scene at its start; `None` for a scene without modes.
+    pub(super) fn new<P: SceneRef>(stepper: &StepperState<P>) -> Option<Self> {
+        let info = stepper.system.info();
         let law = info.stick_slip.map(Law::StickSlip).or(info.stop.map(Law::Stop))?;
-        let detector = detector(law, 0, first);
-        let parked: Vec<_> = (1..).zip(others).collect();
-        let modes = Self {
-            law,
-            mode: 0,
-            parked,
-            detector,
-            begins: false,
-            is_due: false,
-            n_taken_back: 0,
-            occurred: Vec::new(),
-        };
-        (!modes.parked.is_empty()).then_some(modes)
+        let detector = detector(law, 0, stepper);
+        let occurred = Vec::new();
+        Some(Self { law, mode: 0, detector, begins: false, is_due: false, n_taken_back: 0, occurred })
     }
 
-    /// Description of the mode with the most constraints.
-    pub(super) fn record_info(&self, stepper: &StepperState<P>) -> Arc<SceneInfo> {
-        let infos = self.parked().chain([stepper]).map(|stepper| stepper.system.info());
-        Arc::clone(infos.max_by_key(|info| info.n_rows()).unwrap_or(stepper.system.info()))
-    }
-
-    /// The constraint that the active mode does not have, and its multiplier as a multiple of the skate's limit.
-    pub(super) fn lacking(&self) -> Option<(usize, f64)> {
+    /// The row of a skate that slides, and its multiplier as a multiple of the limit.
+    pub(super) fn sliding(&self) -> Option<(usize, f64)> {
         match self.law {
             Law::StickSlip(info) => stick_slip::side(self.mode).map(|side| (info.row, side)),
-            Law::Stop(info) => (self.mode == 0).then_some((info.row, 0.0)),
+            Law::Stop(_) => None,
         }
-    }
-
-    pub(super) fn parked(&self) -> impl Iterator<Item = &StepperState<P>> {
-        self.parked.iter().map(|(_, stepper)| stepper)
-    }
-
-    /// Rejected steps of the inactive modes, and discarded steps of all modes.
-    pub(super) fn n_rejected(&self) -> u64 {
-        self.n_taken_back + self.parked().map(StepperState::n_rejected).sum::<u64>()
     }
 
     /// Chooses the mode of the start.
     ///
     /// # Errors
     /// [`SetupError::BeyondStop`], and those of laws that cannot be read and of the change.
-    pub(super) fn start(&mut self, stepper: &mut StepperState<P>) -> Result<(), SetupError> {
+    pub(super) fn start<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), SetupError> {
         match self.law {
             Law::StickSlip(_) => Ok(self.settle(stepper)?),
             Law::Stop(info) => contact::start(self, info, stepper),
@@ -101,10 +74,15 @@ impl<P: SceneRef> Modes<P> {
     }
 
     /// One step, up to the change of mode if there is one; returns whether the mode changes at its end.
-    pub(super) fn advance(&mut self, stepper: &mut StepperState<P>, h: f64, t_next: f64) -> Result<bool, MotionError> {
+    pub(super) fn advance<P: SceneRef>(
+        &mut self,
+        stepper: &mut StepperState<P>,
+        h: f64,
+        t_next: f64,
+    ) -> Result<bool, MotionError> {
         self.settle(stepper)?;
         for _ in 0..MAX_AT_ONCE {
-            stepper.advance(h, t_next)?;
+            self.advance_where_defined(stepper, h, t_next)?;
             match self.cut(stepper)? {
                 Cut::Whole => {
                     self.begins = false;
@@ -120,8 +98,37 @@ impl<P: SceneRef> Modes<P> {
         Err(MotionError::StepCollapsed { t: stepper.now.state.t, step_s: 0.0 })
     }
 
+    /// A step that ends before the law of the row is no number, where it comes to that: equations read the law in every mode.
+    fn advance_where_defined<P: SceneRef>(
+        &mut self,
+        stepper: &mut StepperState<P>,
+        h: f64,
+        t_next: f64,
+    ) -> Result<(), MotionError> {
+        let start = stepper.now.state.t;
+        let (mut outcome, mut ahead_s) = (stepper.advance(h, t_next), t_next - start);
+        while let Err(error @ (MotionError::NotFinite { .. } | MotionError::StepCollapsed { .. })) = outcome {
+            let fault = self.fault_of_law(stepper, ahead_s).ok_or(error)?;
+            ahead_s *= 0.5;
+            if ahead_s <= resolution_at(start) {
+                return Err(fault);
+            }
+            outcome = self.advance_again(stepper, start + ahead_s);
+        }
+        outcome
+    }
+
+    /// What is wrong with the law of the row so much later, s, if the motion went on as it is now.
+    fn fault_of_law<P: SceneRef>(&self, stepper: &StepperState<P>, ahead_s: f64) -> Option<MotionError> {
+        let (system, now) = (&stepper.system, &stepper.now);
+        let along =
+            |x: &[f64], rate: &[f64]| x.iter().zip(rate).map(|(x, rate)| x + ahead_s * rate).collect::<Vec<_>>();
+        let [q, v] = [(&now.state.q, now.node().q_rate), (&now.state.v, &now.a)].map(|(x, rate)| along(x, rate));
+        fault_of_law(system, now.state.t + ahead_s, &q, &v)
+    }
+
     /// Changes the mode when the active one is not admissible at the present state.
-    fn settle(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
+    fn settle<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         stepper.place_now();
         let ends = match self.law {
             Law::StickSlip(info) => stick_slip::ends(self, info, stepper)?,
@@ -134,7 +141,7 @@ impl<P: SceneRef> Modes<P> {
     }
 
     /// Changes to the next mode.
-    pub(super) fn change(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
+    pub(super) fn change<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         stepper.place_now();
         self.begins = match self.law {
             Law::StickSlip(info) => stick_slip::change(self, info, stepper)?,
@@ -144,32 +151,31 @@ impl<P: SceneRef> Modes<P> {
         Ok(())
     }
 
-    fn switch(&mut self, mode: usize, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
-        if let Some(other) = self.parked_in(mode) {
-            other.take_over(stepper)?;
+    fn switch<P: SceneRef>(&mut self, mode: usize, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
+        let switches = |mode| match self.law {
+            Law::StickSlip(_) => stick_slip::switches(mode),
+            Law::Stop(info) => contact::switches(info, mode),
+        };
+        let ((holds, side), (held, was)) = (switches(mode), switches(self.mode));
+        let (q, v) = (stepper.now.state.q.clone(), stepper.now.state.v.clone());
+        stepper.switch(holds, side)?;
+        let State { t, q: on_q, v: on_v, .. } = &stepper.now.state;
+        if let Some(fault) = fault_of_law(&stepper.system, *t, on_q, on_v) {
+            // the last sample belongs to the mode that was
+            stepper.system.switch(held, was);
+            (stepper.now.state.q, stepper.now.state.v) = (q, v);
+            return Err(fault);
         }
-        self.swap(mode, stepper);
-        Ok(())
+        self.mode = mode;
+        stepper.evaluate_now()
     }
 
-    /// Makes a mode the active one, with its own state.
-    fn swap(&mut self, mode: usize, stepper: &mut StepperState<P>) {
-        if let Some((parked, other)) = self.parked.iter_mut().find(|(parked, _)| *parked == mode) {
-            std::mem::swap(other, stepper);
-            *parked = std::mem::replace(&mut self.mode, mode);
-        }
-    }
-
-    fn parked_in(&mut self, mode: usize) -> Option<&mut StepperState<P>> {
-        self.parked.iter_mut().find(|(parked, _)| *parked == mode).map(|(_, stepper)| stepper)
-    }
-
-    fn tell(&mut self, event: &'static EventInfo, stepper: &StepperState<P>) {
+    fn tell<P: SceneRef>(&mut self, event: &'static EventInfo, stepper: &StepperState<P>) {
         self.occurred.push(Occurrence { event, state: stepper.now.state.clone() });
     }
 
     /// Repeats a step that goes past the end of the mode.
-    fn cut(&mut self, stepper: &mut StepperState<P>) -> Result<Cut, MotionError> {
+    fn cut<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<Cut, MotionError> {
         let start = stepper.now.state.t;
         loop {
             stepper.evaluate_next()?;
@@ -201,7 +207,11 @@ impl<P: SceneRef> Modes<P> {
 
     /// Repeats a step up to the last time at which the event function is defined, since the mode may end before. When no
     /// step is left, the error ends the run.
-    fn end_before(&mut self, fault: MotionError, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
+    fn end_before<P: SceneRef>(
+        &mut self,
+        fault: MotionError,
+        stepper: &mut StepperState<P>,
+    ) -> Result<(), MotionError> {
         let (MotionError::SkateLimit { t, .. } | MotionError::StopNotFinite { t, .. }) = fault else {
             return Err(fault);
         };
@@ -213,9 +223,19 @@ impl<P: SceneRef> Modes<P> {
     }
 
     /// Discards the present step and makes one that ends at `t`.
-    fn advance_again(&mut self, stepper: &mut StepperState<P>, t: f64) -> Result<(), MotionError> {
+    fn advance_again<P: SceneRef>(&mut self, stepper: &mut StepperState<P>, t: f64) -> Result<(), MotionError> {
         self.n_taken_back += 1;
         stepper.advance_again(t - stepper.now.state.t, t)
+    }
+}
+
+/// What is wrong with the law of the row that can be switched.
+pub(super) fn fault_of_law<P: SceneRef>(system: &System<P>, t: f64, q: &[f64], v: &[f64]) -> Option<MotionError> {
+    let info = system.info();
+    match (info.stick_slip, info.stop) {
+        (Some(skate), _) => system.checked_stick_slip(skate, t, q, v).err(),
+        (_, Some(stop)) => contact::fault(stop, system, t, q, v),
+        _ => None,
     }
 }
 

@@ -19,9 +19,14 @@ pub(super) fn side(mode: usize) -> Option<f64> {
     }
 }
 
+/// Switches of a mode: whether the row holds, and the side to which the skate slides.
+pub(super) fn switches(mode: usize) -> (bool, f64) {
+    (mode == HOLDS, side(mode).unwrap_or(0.0))
+}
+
 /// Whether the reaction of the holding skate exceeds the limit.
 pub(super) fn ends<P: SceneRef>(
-    modes: &Modes<P>,
+    modes: &Modes,
     info: &StickSlipInfo,
     stepper: &StepperState<P>,
 ) -> Result<bool, MotionError> {
@@ -32,7 +37,7 @@ pub(super) fn ends<P: SceneRef>(
 /// Stick to slip against the reaction; slip to stick, or to slip to the other side when the reaction exceeds the limit.
 /// Returns whether the skate then slides, so that its velocity begins at zero.
 pub(super) fn change<P: SceneRef>(
-    modes: &mut Modes<P>,
+    modes: &mut Modes,
     info: &'static StickSlipInfo,
     stepper: &mut StepperState<P>,
 ) -> Result<bool, MotionError> {

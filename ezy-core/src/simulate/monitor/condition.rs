@@ -35,6 +35,8 @@ impl ConditionPeak {
 /// The estimates of a run under way.
 pub(super) struct ConditionWatch {
     estimator: ConditionEstimator,
+    /// Rows at the start.
+    n_rows: usize,
     n_between: u64,
     pub peak: ConditionPeak,
 }
@@ -43,24 +45,24 @@ impl ConditionWatch {
     /// None for a scene without rows or one that is too large.
     pub(super) fn new<P: SceneRef>(system: &mut System<P>, start: &State) -> Option<Box<Self>> {
         let info = system.info();
-        let n = info.n_unknowns();
-        if info.n_rows() == 0 || n > LARGEST_WATCHED {
+        let (n, n_rows) = (info.n_unknowns(), system.n_rows_on()[1]);
+        if n_rows == 0 || n > LARGEST_WATCHED {
             return None;
         }
-        let mut estimator = system.condition_estimator();
-        let found = system.conditioning(start.t, &start.q, &mut estimator);
+        let mut estimator = system.diagnosis().condition_estimator();
+        let found = system.diagnosis().conditioning(start.t, &start.q, &mut estimator);
         let at_start = found.condition;
         let mut peak = ConditionPeak { at_start, largest: at_start, pivot: found.pivot, unknown: None, t: start.t };
         peak.see(system.info(), found, start.t);
-        Some(Box::new(Self { estimator, n_between: FEWEST_BETWEEN.max((n * n) as u64), peak }))
+        Some(Box::new(Self { estimator, n_rows, n_between: FEWEST_BETWEEN.max((n * n) as u64), peak }))
     }
 
-    /// Estimates after step `n_steps` when it is due, or at the end.
+    /// Estimates after step `n_steps` when it is due, or at the end; only with the constraints of the start.
     pub(super) fn look<P: SceneRef>(&mut self, system: &mut System<P>, state: &State, n_steps: u64, last: bool) {
-        if !last && !n_steps.is_multiple_of(self.n_between) {
+        if !last && !n_steps.is_multiple_of(self.n_between) || system.n_rows_on()[1] != self.n_rows {
             return;
         }
-        let found = system.conditioning(state.t, &state.q, &mut self.estimator);
+        let found = system.diagnosis().conditioning(state.t, &state.q, &mut self.estimator);
         if found.condition > self.peak.largest {
             self.peak.see(system.info(), found, state.t);
         }

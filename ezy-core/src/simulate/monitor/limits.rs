@@ -44,6 +44,11 @@ impl Limits {
     }
 }
 
+/// Whether a value is within a limit; NaN is not.
+pub(super) fn keeps(value: f64, limit: f64) -> bool {
+    value <= limit || limit == f64::INFINITY
+}
+
 /// A limit would be exceeded by the next state; the last one within it is the end of the run.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]

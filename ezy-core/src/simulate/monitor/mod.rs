@@ -1,12 +1,16 @@
 //! Monitors of a run: residuals, drift, energy, steps; and the limits that end it.
 
+mod caller;
 mod condition;
 mod energy;
 mod limits;
 pub(in crate::simulate) mod processor_time;
 pub(in crate::simulate) mod rank_watch;
+mod residuals;
+mod steps;
 mod watch;
 
+pub(super) use caller::Caller;
 pub use condition::ConditionPeak;
 pub use energy::EnergyError;
 pub use limits::ExceededLimit;

@@ -1,6 +1,16 @@
-//! The times of samples.
+//! Which samples a run keeps, and their times.
 
+use crate::record::Wanted;
 use crate::simulate::SetupError;
+
+/// Which samples of a run are kept.
+#[derive(Debug, Clone, Default)]
+pub(in crate::simulate) struct Sampling {
+    pub times: SampleTimes,
+    pub wanted: Wanted,
+    /// Whether all but the first and the last go to a recorder alone.
+    pub streamed: bool,
+}
 
 /// When samples are kept, besides the start and the end.
 #[derive(Debug, Clone, Default)]

@@ -8,10 +8,11 @@ use crate::dynamics::State;
 use crate::integrate::second_run::{ROUNDING, TIGHTER};
 use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::model::{SceneRef, Start};
-use crate::record::{Sample, Wanted};
+use crate::record::Sample;
 use crate::scalar::GOLDEN_RATIO;
 use crate::simulate::error_estimate::{ErrorEstimate, NoErrorEstimate, QuantityError};
-use crate::simulate::monitor::Limits;
+use crate::simulate::monitor::{Caller, Limits};
+use crate::simulate::recording::sample_times::Sampling;
 use crate::simulate::simulation::{Hooks, Settings};
 use crate::simulate::tolerances::error_estimate::{LOOSER, MOVED, SMALLEST_MOVE};
 use crate::simulate::tolerances::orders::LARGEST_TOLERANCE;
@@ -29,20 +30,19 @@ pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Re
     // threads share the scene, not what holds it
     let scene = &*scene;
     let ended_early = AtomicBool::new(false);
-    let interrupts: Vec<&AtomicBool> = hooks.interrupts.iter().copied().chain([&ended_early]).collect();
+    let interrupts: Vec<&AtomicBool> = hooks.caller.interrupts.iter().copied().chain([&ended_early]).collect();
     let of_others = Settings {
-        wanted: Wanted::default(),
+        sampling: Sampling { times: settings.sampling.times.clone(), ..Sampling::default() },
         limits: Limits { steps: settings.limits.steps, ..Limits::default() },
-        streamed: false,
         estimated: false,
         ..settings.clone()
     };
-    let (methods, others) = (seconds(settings.method), others(settings.method));
-    let other = |method: Method, start_moved_by: f64| {
-        let hooks = Hooks { interrupts: interrupts.clone(), ..Hooks::default() };
-        finished(
-            Simulation { scene, settings: Settings { method, start_moved_by, ..of_others.clone() }, hooks }.run_once(),
-        )
+    let (methods, others) = (seconds(settings.solver.method), others(settings.solver.method));
+    let other = |method: Method, moved_by: f64| {
+        let hooks = Hooks { caller: Caller::interrupted_by(interrupts.clone()), ..Hooks::default() };
+        let mut settings = of_others.clone();
+        (settings.solver.method, settings.start.moved_by) = (method, moved_by);
+        finished(Simulation { scene, settings, hooks }.run_once())
     };
     let first_finished = |methods: &[Method], run: &dyn Fn(Method) -> Result<Run, String>| {
         let mut why = String::new();
@@ -57,7 +57,8 @@ pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Re
     thread::scope(|scope| {
         let second = scope.spawn(|| first_finished(&methods, &|method| other(method, 0.0)));
         let moved = scope.spawn(|| first_finished(&methods, &|method| other(method, length_of_move(method))));
-        let main = Simulation { scene, settings: Settings { streamed: false, ..settings }, hooks }.run_once();
+        let sampling = Sampling { streamed: false, ..settings.sampling };
+        let main = Simulation { scene, settings: Settings { sampling, ..settings }, hooks }.run_once();
         let is_complete = main.as_ref().is_ok_and(|run| run.outcome.is_complete());
         ended_early.store(!is_complete, Ordering::Relaxed);
         let (second, moved) = (joined(second), joined(moved));
@@ -290,7 +291,7 @@ mod tests {
         let estimate = run.error_estimate.unwrap().unwrap();
         assert!(estimate.amplification.is_some(), "{estimate:?}");
         let mut moved = order();
-        moved.settings.start_moved_by = SMALLEST_MOVE;
+        moved.settings.start.moved_by = SMALLEST_MOVE;
         let moved = moved.run_once().unwrap();
         assert!(!moved.outcome.is_complete(), "it would not keep that limit: {:?}", moved.outcome);
     }

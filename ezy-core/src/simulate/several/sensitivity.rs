@@ -139,7 +139,7 @@ fn follow<P: SceneRef, const N: usize>(
 ) {
     for direction in 0..N {
         let changed: Vec<f64> = residual.iter().map(|row| row.derivatives[direction]).collect();
-        let tangent = system.free_tangent(t, q, &changed, given);
+        let tangent = system.assembly().free_tangent(t, q, &changed, given);
         x.iter_mut().zip(tangent).for_each(|(x, change)| x.derivatives[direction] += change);
     }
 }

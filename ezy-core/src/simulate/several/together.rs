@@ -49,21 +49,21 @@ impl<P: SceneRef> Simulation<'_, P> {
     /// Why it has to step by itself, also to say what is wrong with it.
     pub(crate) fn waiting(&self) -> Result<Waiting, Alone> {
         let (settings, info) = (&self.settings, self.scene.info());
-        let Some(tolerance) = settings.method.tolerance().filter(|_| settings.method.kind() == MethodKind::Dop853)
-        else {
+        let solver = &settings.solver;
+        let Some(tolerance) = solver.method.tolerance().filter(|_| solver.method.kind() == MethodKind::Dop853) else {
             return Err("only dop853 steps in lanes");
         };
         let is_located = |kind| kind != EventKind::Mark;
-        let is_usual = (settings.projection, settings.metric) == (Projection::default(), Metric::default());
+        let is_usual = (solver.projection, solver.metric) == (Projection::default(), Metric::default());
         let changes = |(_, table): &(String, InputTable)| table.constant().is_none();
         let reasons = [
-            (!self.scene.modes().is_empty(), "its constraints change"),
+            (info.switched_row().is_some(), "its constraints change"),
             (
                 info.events.iter().any(|event| is_located(event.kind)),
                 "what ends it, or is not smooth, has to be located",
             ),
             (
-                settings.wanted.work || settings.estimated || settings.limits.are_given(),
+                settings.sampling.wanted.work || settings.estimated || settings.limits.are_given(),
                 "more than its end is asked for",
             ),
             (!is_usual, "projections are not the usual ones"),
@@ -142,9 +142,9 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
         let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
         at.state = State { t: now.t, q: of_lane(&now.q), v: of_lane(&now.v), z: Vec::new(), work: Vec::new() };
         at.evaluate(&mut system).ok()?;
-        let mut sampler = Sampler::new(Arc::clone(&info), Wanted { outputs: true, work: false }, None, false);
+        let mut sampler = Sampler::new(Arc::clone(&info), Wanted { outputs: true, work: false }, None);
         sampler.keep(&mut system, &at).ok()?;
-        let numbers = sampler.into_record().samples().next()?.numbers().collect();
+        let numbers = sampler.record.samples().next()?.numbers().collect();
         let mut points = vec![0.0; 2 * info.points.len()];
         scene.points(system.fixed(), now.t, &at.state.q, &mut points);
         Some(End { numbers, t: now.t, points, n_steps })

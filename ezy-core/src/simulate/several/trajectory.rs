@@ -12,8 +12,7 @@ pub(in crate::simulate) struct Trajectory<D, T> {
     pub system: D,
     info: Arc<SceneInfo>,
     integrator: Box<dyn Integrator<D, T>>,
-    step_s: Option<f64>,
-    tolerance: Option<Tolerance>,
+    method: Method,
     pub now: State<T>,
     next: State<T>,
     q_rate: Vec<T>,
@@ -34,8 +33,7 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
         SetupError::refuse_angles(&info, method.tolerance())?;
         let sizes = Sizes::new(&info, 0);
         let method = crate::simulate::checked::checked(method)?;
-        let (step_s, tolerance) = (method.step_s(), method.tolerance());
-        let integrator = method.kind().in_any_number(sizes, tolerance.unwrap_or(Tolerance::ANY));
+        let integrator = method.kind().in_any_number(sizes, method.tolerance().unwrap_or(Tolerance::ANY));
         let integrator = integrator.ok_or(SetupError::SingleNumbers { method: method.name() })?;
         let Sizes { n_q, n_v, n_c, n_z, .. } = sizes;
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
@@ -44,8 +42,7 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
             system,
             info,
             integrator,
-            step_s,
-            tolerance,
+            method,
             now: start,
             next,
             q_rate: zeros(n_q),
@@ -61,7 +58,7 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
         if !until_s.is_finite() {
             return Err(MotionError::NotFinite { t: start, quantity: "the end of the run".into() });
         }
-        if let Some(step_s) = self.step_s {
+        if let Some(step_s) = self.method.step_s() {
             let clock = Clock::new(start, until_s, step_s);
             return (0..clock.n_steps()).try_for_each(|n| self.step(clock.step(n), clock.time(n + 1)));
         }
@@ -73,7 +70,7 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
 
     /// A step of length `h` to `t_next`; a method that chooses its steps may stop before.
     pub(in crate::simulate) fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        let Self { system, info, integrator, tolerance, now, next, q_rate, a, rate, lambda, .. } = self;
+        let Self { system, info, integrator, method, now, next, q_rate, a, rate, lambda } = self;
         system.place_states(&now.z);
         system.accelerations(now.t, &now.q, &now.v, a, lambda)?;
         system.state_rates(now.t, &now.q, &now.v, rate);
@@ -84,7 +81,7 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
             return Err(MotionError::NotFinite { t: now.t, quantity });
         }
         system.project(next.t, &mut next.q, &mut next.v)?;
-        check_angles(info, *tolerance, next)?;
+        check_angles(info, method.tolerance(), next)?;
         std::mem::swap(now, next);
         Ok(())
     }

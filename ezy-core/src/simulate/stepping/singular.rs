@@ -100,9 +100,9 @@ impl Approach<'_> {
         }
         // where masses are far apart, pivots fall although constraints are independent
         let State { t, q: from, .. } = &self.now.state;
-        let before = system.independence(*t, from);
+        let before = system.diagnosis().independence(*t, from);
         self.foresee(way, q);
-        let there = system.independence(t + way, q);
+        let there = system.diagnosis().independence(t + way, q);
         let left = before.zip(there).map_or(of_pivots, |(before, there)| there / before);
         // pivots fall with the square of the distance
         (left <= VANISHES).then(|| Vanishing { within_s: way, nearest: left.max(0.0).sqrt() })

@@ -1,10 +1,11 @@
 //! Crossing of singular positions, in which the rank of G drops for an instant.
 
+use super::projected_stages::ProjectedStages;
 use super::singular::{Approach, Vanishing, about};
 use super::snapshot::Snapshot;
 use crate::archive::Archive;
-use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
-use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Sizes, StepControl, Tolerance};
+use crate::dynamics::{Metric, MotionError, Projection, State, System};
+use crate::integrate::{DOP853_ERROR_ORDER, StepControl, Tolerance};
 use crate::model::SceneRef;
 use crate::simulate::tolerances::crossing::{ABOUT, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST};
 use crate::simulate::tolerances::monitors::BESIDE;
@@ -36,19 +37,14 @@ impl SingularityCrossed {
 /// ends near it. One step of DOP853 crosses it, with the singular position in the widest gap between its nodes. The stages are
 /// projected, since accelerations have a pole there off the constraints.
 pub(in crate::simulate) struct SingularityCrossing {
-    method: Dop853,
-    on_rows: State,
+    stages: ProjectedStages,
     control: StepControl,
-    tolerance: Tolerance,
     /// Whether the method of the run chooses its steps.
     chooses_steps: bool,
     /// Step length for the tolerance, s.
     length_s: f64,
-    /// Start of the last step, s.
-    begin_s: f64,
-    /// How near it comes to the singular position, as a part of the distance at its start.
-    nearest: f64,
-    /// Its end, projected and evaluated.
+    last: SingularityCrossed,
+    /// End of the last step, projected and evaluated.
     pub end: Snapshot,
     /// Whether the run is within this step or at its end.
     pub is_under_way: bool,
@@ -62,19 +58,14 @@ pub(in crate::simulate) struct SingularityCrossing {
 
 impl SingularityCrossing {
     pub(in crate::simulate) fn new<P: SceneRef>(system: &System<P>, tolerance: Option<Tolerance>, work: bool) -> Self {
-        let info = system.info();
-        let end = Snapshot::zero(info, work);
-        let n_works = end.power.len();
+        let end = Snapshot::zero(system.info(), work);
         let wanted = tolerance.unwrap_or(Tolerance::new(OF_FIXED_STEPS, OF_FIXED_STEPS));
         Self {
-            method: Dop853::new(Sizes::new(info, n_works)),
-            on_rows: State::zeros([info.n_coordinates(), info.n_velocities()], 0, 0),
+            stages: ProjectedStages::new(system, end.power.len(), wanted),
             control: StepControl::new(DOP853_ERROR_ORDER),
-            tolerance: wanted,
             chooses_steps: tolerance.is_some(),
             length_s: 0.0,
-            begin_s: 0.0,
-            nearest: 0.0,
+            last: SingularityCrossed { from_s: 0.0, to_s: 0.0, nearest: 0.0 },
             end,
             is_under_way: false,
             ahead_s: None,
@@ -85,11 +76,12 @@ impl SingularityCrossing {
 
     /// Writes what is known of the step under way, or reads it.
     pub(in crate::simulate) fn remember(&mut self, archive: &mut Archive) {
-        self.method.remember(archive);
+        self.stages.remember(archive);
         self.control.remember(archive);
         self.end.remember(archive);
-        let Self { length_s, begin_s, nearest, in_vain_until_s, .. } = self;
-        [length_s, begin_s, nearest, in_vain_until_s].into_iter().for_each(|number| archive.number(number));
+        let Self { length_s, last: SingularityCrossed { from_s, to_s, nearest }, in_vain_until_s, .. } = self;
+        *to_s = self.end.state.t;
+        [length_s, from_s, nearest, in_vain_until_s].into_iter().for_each(|number| archive.number(number));
         archive.option(&mut self.ahead_s);
         archive.flag(&mut self.is_under_way);
         archive.count(&mut self.n_rejected);
@@ -128,22 +120,21 @@ impl SingularityCrossing {
                 within
             }
         };
-        let found = approach.find(system, &mut self.on_rows.q, within);
+        let found = approach.find(system, &mut self.stages.on_rows.q, within);
         let Some(Vanishing { within_s: distance, nearest }) = found else { return false };
         if !self.chooses_steps {
             self.length_s = distance / MIDDLE;
         }
         let shortest = SHORTEST * usual_s;
-        let noise = NOISE / self.tolerance.relative;
+        let noise = NOISE / self.stages.tolerance.relative;
         for _ in 0..MAX_TRIES {
             let length = self.length_s;
             let crosses_now = distance <= ABOUT * MIDDLE * length;
             let h = if crosses_now { distance / MIDDLE } else { length.min(distance - MIDDLE * length) };
-            self.method.restart();
-            let error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
+            let error = self.stages.attempt(system, now, h, &mut self.end.state).unwrap_or(f64::INFINITY);
             if error <= 1.0 || error <= noise && length <= shortest {
                 self.length_s = length.max(h * self.control.accept(error.max(f64::MIN_POSITIVE)));
-                (self.begin_s, self.nearest) = (t, nearest);
+                self.last = SingularityCrossed { from_s: t, to_s: self.end.state.t, nearest };
                 if self.finish(system, now).is_err() {
                     self.n_rejected += 1;
                     break;
@@ -162,33 +153,23 @@ impl SingularityCrossing {
         false
     }
 
-    /// Error over tolerance of a step, without the part that its projection removes.
-    fn attempt<P: SceneRef>(&mut self, system: &mut System<P>, now: &Snapshot, h: f64) -> Result<f64, MotionError> {
-        let to = &mut self.end.state;
-        let mut on_rows = OnRows::new(system, &mut self.on_rows);
-        let error = self.method.attempt(&mut on_rows, now.node(), h, self.tolerance, to)?;
-        let tangential =
-            if error > 1.0 { self.method.tangential_error(&mut on_rows, h, self.tolerance, to) } else { None };
-        Ok(tangential.unwrap_or(error))
-    }
-
     /// Projects and evaluates the end of a step, and prepares its interpolant.
     fn finish<P: SceneRef>(&mut self, system: &mut System<P>, now: &Snapshot) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &mut self.end.state;
         system.project(*t, q, v, Projection::Both, Metric::Mass)?;
         self.end.evaluate(system)?;
-        let mut on_rows = OnRows::new(system, &mut self.on_rows);
-        self.method.prepare_dense(&mut on_rows, now.node(), self.end.node())
+        self.stages.prepare_dense(system, now, &self.end)
     }
 
     /// The last step.
     pub(in crate::simulate) fn crossed(&self) -> SingularityCrossed {
-        SingularityCrossed { from_s: self.begin_s, to_s: self.end.state.t, nearest: self.nearest }
+        self.last
     }
 
     /// The state at `t` within the step, not projected.
     pub(in crate::simulate) fn between(&mut self, t: f64, out: &mut State) {
-        self.method.dense_at((t - self.begin_s) / (self.end.state.t - self.begin_s), out);
+        let SingularityCrossed { from_s, to_s, .. } = self.last;
+        self.stages.dense_at((t - from_s) / (to_s - from_s), out);
         out.t = t;
     }
 }

@@ -66,7 +66,7 @@ impl Snapshot {
     ) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
         self.solved = solved;
-        system.check_accelerations(*t, q, solved)?;
+        system.diagnosis().check_accelerations(*t, q, solved)?;
         system.state_rates(*t, q, v, &mut self.rate);
         if !self.q_rate.is_empty() {
             system.position_rates(q, v, &mut self.q_rate);

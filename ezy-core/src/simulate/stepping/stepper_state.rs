@@ -153,8 +153,8 @@ impl<P: SceneRef> StepperState<P> {
         }
         let Snapshot { state: State { t, q, v, .. }, a, lambda, .. } = &self.now;
         outcome.map_err(|error| {
-            let error = self.system.locked_up(*t, q, error);
-            self.system.without_derivative((*t, q, v), (a, lambda), error)
+            let error = self.system.diagnosis().locked_up(*t, q, error);
+            self.system.diagnosis().without_derivative((*t, q, v), (a, lambda), error)
         })?;
         check_angles(self.system.info(), self.tolerance, &self.next.state)
     }
@@ -247,7 +247,7 @@ impl<P: SceneRef> StepperState<P> {
     fn creeps(&mut self, t_next: f64) -> bool {
         let (now, next) = (&self.now.state, &self.next.state);
         let is_short = next.t < t_next && next.t - now.t < CREEPING * self.usual_s;
-        self.crosses && is_short && self.system.is_nearly_singular(now.t, &now.q)
+        self.crosses && is_short && self.system.diagnosis().is_nearly_singular(now.t, &now.q)
     }
 
     /// Whether a singular position may lie between the ends of the step, where steps of another kind pass it on the right branch.
@@ -262,7 +262,7 @@ impl<P: SceneRef> StepperState<P> {
         let pivot = if was { self.system.pivot_at(*t, q) } else { self.next.end.smallest_pivot };
         let has_fallen = self.crosses && pivot < TOO_NEAR * self.now.end.smallest_pivot;
         // where masses are far apart, pivots fall although constraints are independent
-        is && !was || has_fallen && !self.system.is_far_from_singular(*t, q)
+        is && !was || has_fallen && !self.system.diagnosis().is_far_from_singular(*t, q)
     }
 
     #[inline]
@@ -323,7 +323,7 @@ impl<P: SceneRef> StepperState<P> {
     pub(in crate::simulate) fn strain(&mut self) -> Option<Strain> {
         self.place_now();
         let Snapshot { state, a, lambda, .. } = &self.now;
-        self.system.strain(state.t, &state.q, &state.v, a, lambda)
+        self.system.diagnosis().strain(state.t, &state.q, &state.v, a, lambda)
     }
 
     /// The state at `t` between `now` and `next`, both evaluated; neither projected nor evaluated.
@@ -362,37 +362,44 @@ impl<P: SceneRef> StepperState<P> {
         self.next.evaluate(&mut self.system)
     }
 
-    /// Takes over the state of another scene with the same coordinates, without history, and evaluates it.
-    pub(in crate::simulate) fn take_over(&mut self, from: &Self) -> Result<(), MotionError> {
-        self.follow(from);
+    /// Switches the row that can be switched ([`System::switch`]), and projects the state, which is not evaluated; without history.
+    pub(in crate::simulate) fn switch(&mut self, holds: bool, side: f64) -> Result<(), MotionError> {
+        self.system.switch(holds, side);
+        self.restart();
         let State { t, q, v, .. } = &mut self.now.state;
         self.system.project(*t, q, v, self.projection, self.metric)?;
-        self.evaluate_now()
+        Ok(())
     }
 
-    /// Takes over the state of another scene after a plastic impact on the constraints of this one. Positions are projected to the
-    /// last digit: errors normal to the constraints would remain while flights become short.
-    pub(in crate::simulate) fn apply_impact(&mut self, from: &Self) -> Result<(), MotionError> {
-        self.follow(from);
+    /// Switches the row on, and makes a plastic impact on it. Positions are projected to the last digit: errors normal to the constraints
+    /// would remain while flights become short.
+    pub(in crate::simulate) fn apply_impact(&mut self, side: f64) -> Result<(), MotionError> {
+        self.system.switch(true, side);
+        self.restart();
         let State { t, q, v, .. } = &mut self.now.state;
         self.system.project_positions(*t, q, Metric::Mass)?;
-        self.system.polish_positions(*t, q)?;
+        self.system.projector().polish_positions(*t, q)?;
         self.system.project_velocities(*t, q, v, Metric::Mass)?;
         self.evaluate_now()
     }
 
-    fn follow(&mut self, from: &Self) {
-        self.system.copy_inputs(&from.system);
-        self.place(&from.now.state);
-        self.now.state.work.copy_from_slice(&from.now.state.work);
+    /// Switches the row off, and goes on from here with these velocities, without history.
+    pub(in crate::simulate) fn let_go(&mut self, v: &[f64]) -> Result<(), MotionError> {
+        self.system.switch(false, 0.0);
+        self.go_on_with(v)
     }
 
-    /// Continues from other positions and velocities, without history.
-    pub(in crate::simulate) fn apply_restitution(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
-        self.now.state.q.copy_from_slice(q);
-        self.now.state.v = v;
+    /// Goes on from here with these velocities, without history.
+    fn go_on_with(&mut self, v: &[f64]) -> Result<(), MotionError> {
+        self.now.state.v.copy_from_slice(v);
         self.restart();
         self.evaluate_now()
+    }
+
+    /// Switches the row on where these velocities keep it, and goes on from here with them, without history.
+    pub(in crate::simulate) fn hold(&mut self, side: f64, v: &[f64]) -> Result<(), MotionError> {
+        self.system.switch(true, side);
+        self.go_on_with(v)
     }
 
     /// Kinetic and potential energy, J.
@@ -427,7 +434,7 @@ impl<P: SceneRef> StepperState<P> {
     /// Whether the motion can begin at `now`, which is evaluated, and last for `within_s`.
     pub(in crate::simulate) fn check_beginning(&mut self, within_s: f64) -> Result<(), MotionError> {
         let Snapshot { state, a, solved, .. } = &self.now;
-        self.system.check_beginning(state, a, *solved, within_s)
+        self.system.diagnosis().check_beginning(state, a, *solved, within_s)
     }
 
     pub(in crate::simulate) fn evaluate_next(&mut self) -> Result<(), MotionError> {

@@ -1,10 +1,10 @@
 //! The tables of a page, in Markdown.
 
 use crate::emit::abbreviations::Abbreviations;
-use crate::mechanics::Equations;
 use crate::mechanics::kernels::{Kernels, Quantity};
 use crate::mechanics::symbols::Symbols;
-use crate::model::{BodyId, Coordinate, InputId, Model, Parameter, ParameterId};
+use crate::mechanics::{Derived, Equations};
+use crate::model::{BodyId, Coordinate, InputId, Model, Parameter, ParameterId, Switch};
 use crate::symbolic::print::{Names, Printed};
 
 /// An expression within a line of text.
@@ -88,6 +88,25 @@ pub fn rows(equations: &Equations) -> Vec<String> {
         [&format!("`{}`", row.name), row.kind, level, &unit(&row.unit)].map(str::to_owned).to_vec()
     });
     markdown(&["row", "word", "level", "unit of its multiplier"], rows)
+}
+
+/// What says how a row takes part that is switched on and off.
+pub fn switches(model: &Model, derived: &Derived<'_>, equations: &Equations) -> Vec<String> {
+    let said = match model.stick_slip_of(&derived.scene) {
+        Some(_) => [
+            "1 while it holds, 0 while it slides",
+            "1 while it slides to the left of its direction, -1 to the right, else 0",
+        ],
+        None => ["1 while it holds, 0 while it is open", "1 at the lower end, -1 at the upper one"],
+    };
+    // nothing reads the side of a stop with one end
+    let n = if model.stop_of(&derived.scene).is_some_and(|stop| stop.ends().count() == 1) { 1 } else { 2 };
+    let switches = Switch::ALL.iter().zip(&equations.switches).zip(said).take(n);
+    let rows = switches.map(|((switch, value), said)| {
+        let symbol = equations.symbols.parameter(model.place_of_switch(*switch));
+        vec![inline(&symbol.mathml), value.to_string(), said.to_owned()]
+    });
+    markdown(&["", "at the start", "what it is"], rows)
 }
 
 /// A line for each row, three signs for each body: which of x, y, φ the row reads.

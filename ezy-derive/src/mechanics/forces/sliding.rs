@@ -3,7 +3,7 @@
 use super::Load;
 use crate::mechanics::expression::Writer;
 use crate::mechanics::kinematics::Vector;
-use crate::model::{Expr, Row, Side};
+use crate::model::{Expr, Row, Switch};
 use crate::symbolic::SumId;
 
 /// The limit, and n · v_P: zero while the skate holds.
@@ -13,14 +13,11 @@ pub fn stick_slip(writer: &mut Writer<'_>, row: &Row, limit: &Expr) -> [SumId; 2
     [writer.write(limit), writer.dot(normal, velocity)]
 }
 
-/// The side is a constant of the slide, so that the law is smooth.
-pub fn add(writer: &mut Writer<'_>, row: &Row, limit: &Expr, side: Side, load: &mut Load) {
+/// The side is constant while it slides, so that the law is smooth; it is 0 while the skate holds.
+pub fn add(writer: &mut Writer<'_>, row: &Row, limit: &Expr, load: &mut Load) {
     let normal = normal(writer, row);
-    let limit = writer.write(limit);
-    let force = match side {
-        Side::Left => writer.algebra.neg(limit),
-        Side::Right => limit,
-    };
+    let (limit, side) = (writer.write(limit), writer.switch(Switch::Side));
+    let force = writer.algebra.scale(limit, side.neg());
     let force = normal.map(|x| writer.algebra.mul(force, x));
     load.at(writer, &row.arguments.places[0], force);
 }

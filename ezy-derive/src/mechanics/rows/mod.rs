@@ -12,8 +12,9 @@ mod weld;
 
 use super::expression::Writer;
 use crate::grammar::Class;
-use crate::model::{Row, RowId};
-use crate::symbolic::SumId;
+use crate::model::{Row, RowId, Switch};
+use crate::symbolic::coefficient::Coefficient;
+use crate::symbolic::{Algebra, SumId};
 
 /// The residual of a constraint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +36,19 @@ pub struct ScalarRow {
     pub residual: ResidualKind,
     /// Rows with the same number were declared together and are eliminated together.
     pub family: usize,
+    /// Of a row that is switched the factor of its equation.
+    pub holds: Option<Coefficient>,
+}
+
+impl ScalarRow {
+    /// The residual as equations have it: of a row that is switched off it is zero.
+    pub fn switched(&self, algebra: &mut Algebra) -> ResidualKind {
+        let Some(holds) = self.holds else { return self.residual };
+        match self.residual {
+            ResidualKind::Position(c) => ResidualKind::Position(algebra.scale(c, holds)),
+            ResidualKind::Velocity(rate) => ResidualKind::Velocity(algebra.scale(rate, holds)),
+        }
+    }
 }
 
 /// A scalar equation of a kind: its suffix (`x` in `B.x`), the multiplier's unit, and C or S v.
@@ -75,12 +89,14 @@ pub fn scalar_rows(writer: &mut Writer<'_>, row: &Row, id: RowId) -> Vec<ScalarR
         Class::VelocityRow => ResidualKind::Velocity(value),
         _ => ResidualKind::Position(value),
     };
+    let holds = row.limit().map(|_| writer.switch(Switch::Holds));
     let rows = components.into_iter().map(|component| ScalarRow {
         name: name(component.suffix),
         kind: row.word.word,
         unit: component.unit,
         residual: residual(component.value),
         family: id.0,
+        holds,
     });
     rows.collect()
 }

@@ -3,7 +3,7 @@
 use crate::diag::Diagnostics;
 use crate::mechanics::symbols::Meaning;
 use crate::mechanics::{Equations, EventKind};
-use crate::model::{Mode, Model, Scene, Side};
+use crate::model::Model;
 use crate::symbolic::evaluate::Point;
 use crate::symbolic::{SumId, Symbol};
 use crate::{model, parse};
@@ -28,8 +28,8 @@ fn resolved(items: &str) -> Model {
     }
 }
 
-/// Equations where no parameter and no input is read.
-struct At(Equations);
+/// Equations where no parameter and no input is read, with the values of switches.
+struct At(Equations, [f64; 2]);
 
 impl At {
     fn value(&self, sum: SumId) -> f64 {
@@ -65,15 +65,15 @@ impl Point for At {
         }
     }
 
-    fn parameter(&self, _: usize) -> f64 {
-        f64::NAN
+    fn parameter(&self, index: usize) -> f64 {
+        self.1[index]
     }
 }
 
 /// The one scene of a model with these items.
 fn at(items: &str) -> At {
     let model = resolved(items);
-    At(Equations::derive(&model, &model.scenes[0]))
+    At(Equations::derive(&model, &model.scenes[0]), [f64::NAN; 2])
 }
 
 fn assert_close(found: &[f64], expected: &[f64]) {
@@ -132,18 +132,38 @@ fn analytic_sliding_skate_is_pushed_against_its_side() {
     let normal = turned([-0.8, 0.6]);
     let v = velocity([0.4, 0.1]);
     let across = normal[0] * v[0] + normal[1] * v[1];
-    let modes = model.modes_of(&model.scenes[0]);
-    assert_eq!(modes, [Mode::Slides(Side::Left), Mode::Slides(Side::Right)]);
-    for (mode, force) in modes.into_iter().zip([-5.0, 5.0]) {
-        let scene = Scene { mode: Some(mode), ..model.scenes[0].clone() };
-        let at = At(Equations::derive(&model, &scene));
-        assert!(at.0.constraints.rows.is_empty(), "the skate holds nothing");
+    for (side, force) in [(1.0, -5.0), (-1.0, 5.0)] {
+        let at = At(Equations::derive(&model, &model.scenes[0]), [0.0, side]);
+        assert_eq!(at.0.switches, [1.0, 0.0], "the skate holds at the start");
+        assert_eq!(at.value(at.0.constraints.velocity[0]), 0.0, "the row is off");
         assert_close(&at.force(), &at_point([0.4, 0.1], normal.map(|x| force * x)));
         let power: Vec<f64> = at.0.power.iter().map(|&(_, sum)| at.value(sum)).collect();
         assert_close(&power, &[force * across]);
         let [limit, velocity] = at.0.stick_slip.expect("there is a limit");
         assert_close(&[at.value(limit), at.value(velocity)], &[5.0, across]);
     }
+}
+
+/// A skate that holds is its row, and no force.
+#[test]
+fn analytic_holding_skate_is_its_row() {
+    let model = resolved("skate runner: at one(0.4, 0.1) along one(3, 4) limit 5;");
+    let at = At(Equations::derive(&model, &model.scenes[0]), [1.0, 0.0]);
+    let (normal, v) = (turned([-0.8, 0.6]), velocity([0.4, 0.1]));
+    assert_close(&[at.value(at.0.constraints.velocity[0])], &[normal[0] * v[0] + normal[1] * v[1]]);
+    assert_close(&at.force(), &[0.0; 6]);
+}
+
+/// The row of a stop is the quantity less the bound of its side, without rounding, and 0 = 0 while it is open.
+#[test]
+fn analytic_row_of_a_stop_is_of_its_side() {
+    let model = resolved("stop rail: one.x from -0.1 to 0.7 restitution 0.5;");
+    let row = |holds, side| {
+        let at = At(Equations::derive(&model, &model.scenes[0]), [holds, side]);
+        at.value(at.0.constraints.position[0])
+    };
+    assert_eq!([row(1.0, 1.0), row(1.0, -1.0)], [Q[0] + 0.1, Q[0] - 0.7]);
+    assert_eq!([1.0, -1.0, 0.0].map(|side| row(0.0, side)), [0.0; 3]);
 }
 
 /// Where a law jumps or bends: its own argument, and that of the limit of a skate, which is no force while the skate holds.

@@ -303,6 +303,7 @@ impl ezy::Derived for Swing {
         }
         ezy::List::Owned(all)
     }
+    ezy::access_to_derivatives! {}
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)
     }

@@ -236,4 +236,18 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             out[slots[0] + 1] = out[slots[0] + 1] + -m_g;
         }
     }
+    fn outputs(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let first_link: i64 = 0;
+        let mut place = 0;
+        {
+            let slots: [usize; 1] = [3 * (first_link + ((self.n as i64) - 1)) as usize];
+            let one_over_n_l = c[4usize];
+            let link_n_1_y = q[slots[0] + 1];
+            let k17 = c[5usize];
+            let link_n_1_phi = q[slots[0] + 2];
+            let sin_link_n_1_phi = T::sin(link_n_1_phi);
+            out[place] = -T::fused(k17, sin_link_n_1_phi, one_over_n_l * link_n_1_y);
+            place += 1;
+        }
+    }
 }

@@ -65,21 +65,6 @@ impl ezy::Scene for Swing {
             place += 1;
         }
     }
-    fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let first_link: i64 = 0;
-        let mut place = 0;
-        {
-            let slots: [usize; 1] = [3 * (first_link + ((self.n as i64) - 1)) as usize];
-            let one_over_n_l = c[4usize];
-            let link_n_1_y = q[slots[0] + 1];
-            let k17 = c[5usize];
-            let link_n_1_phi = q[slots[0] + 2];
-            let sin_link_n_1_phi = f64::sin(link_n_1_phi);
-            let sum_9 = one_over_n_l * link_n_1_y + k17 * sin_link_n_1_phi;
-            out[place] = -sum_9;
-            place += 1;
-        }
-    }
     fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
         let first_link: i64 = 0;
         let mut total = 0f64;

@@ -245,6 +245,12 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         out[4usize] = T::from_f64(0f64);
         out[5usize] = T::from_f64(0f64);
     }
+    fn outputs(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<0usize, T>(out);
+    }
     #[inline(always)]
     fn accelerations(
         &self,

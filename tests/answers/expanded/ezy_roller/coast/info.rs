@@ -391,6 +391,7 @@ impl Coast {
         events: &[],
         stick_slip: ::core::option::Option::None,
         stop: ::core::option::Option::None,
+        switches: &[],
         effects: &[],
         until_s: 1f64,
         n_constants: 32usize,

@@ -68,12 +68,6 @@ impl ezy::Scene for Coast {
         out[4usize] = seat_x + cos_seat_phi * b;
         out[5usize] = seat_y + sin_seat_phi * b;
     }
-    fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let c = ezy::array::<32usize, f64>(c);
-        let q = ezy::array::<6usize, f64>(q);
-        let v = ezy::array::<6usize, f64>(v);
-        let out = ezy::array_mut::<0usize, f64>(out);
-    }
     fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
         0f64
     }

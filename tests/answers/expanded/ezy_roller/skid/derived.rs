@@ -1,12 +1,12 @@
 #[automatically_derived]
 impl ezy::Derived for Skid {
     fn stick_slip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let c = ezy::array::<41usize, f64>(c);
+        let c = ezy::array::<45usize, f64>(c);
         let q = ezy::array::<6usize, f64>(q);
         let v = ezy::array::<6usize, f64>(v);
         let out = ezy::array_mut::<2usize, f64>(out);
-        let hold = c[40usize];
-        let parameter_a = c[29usize];
+        let hold = c[44usize];
+        let parameter_a = c[40usize];
         let seat_omega = v[2usize];
         let seat_vx = v[0usize];
         let seat_phi = q[2usize];
@@ -41,65 +41,70 @@ impl ezy::Derived for Skid {
         by_q: &mut [f64],
         by_v: &mut [f64],
     ) {
-        let c = ezy::array::<41usize, f64>(c);
+        let c = ezy::array::<45usize, f64>(c);
         let q = ezy::array::<6usize, f64>(q);
         let v = ezy::array::<6usize, f64>(v);
         let a = ezy::array::<6usize, f64>(a);
         let lambda = ezy::array::<4usize, f64>(lambda);
         let by_q = ezy::array_mut::<12usize, f64>(by_q);
         let by_v = ezy::array_mut::<10usize, f64>(by_v);
+        let hold_side = c[34usize];
+        let holds = c[4usize];
         let multiplier_3 = lambda[3usize];
+        let sum_5 = hold_side + holds * multiplier_3;
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
         let multiplier_0 = lambda[0usize];
         let multiplier_1 = lambda[1usize];
-        let sum_12 = cos_seat_phi * multiplier_0 + sin_seat_phi * multiplier_1;
-        let b = c[11usize];
+        let sum_16 = cos_seat_phi * multiplier_0 + sin_seat_phi * multiplier_1;
+        let b = c[16usize];
         let multiplier_2 = lambda[2usize];
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-        let sum_23 = multiplier_0 * cos_bar_phi + multiplier_1 * sin_bar_phi;
-        let d = c[12usize];
+        let sum_27 = multiplier_0 * cos_bar_phi + multiplier_1 * sin_bar_phi;
+        let d = c[17usize];
         let seat_omega = v[2usize];
         let seat_omega_squared = seat_omega * seat_omega;
         let acceleration_2 = a[2usize];
-        let difference_31 = cos_seat_phi * acceleration_2
+        let difference_35 = cos_seat_phi * acceleration_2
             - sin_seat_phi * seat_omega_squared;
         let bar_omega = v[5usize];
         let bar_omega_squared = bar_omega * bar_omega;
         let acceleration_5 = a[5usize];
-        let difference_38 = cos_bar_phi * acceleration_5
+        let difference_42 = cos_bar_phi * acceleration_5
             - sin_bar_phi * bar_omega_squared;
-        let sum_42 = cos_seat_phi * seat_omega_squared + sin_seat_phi * acceleration_2;
-        let sum_46 = cos_bar_phi * bar_omega_squared + sin_bar_phi * acceleration_5;
+        let sum_46 = cos_seat_phi * seat_omega_squared + sin_seat_phi * acceleration_2;
+        let sum_50 = cos_bar_phi * bar_omega_squared + sin_bar_phi * acceleration_5;
         let bar_vx = v[3usize];
         let acceleration_4 = a[4usize];
-        let product_52 = sin_bar_phi * (acceleration_4 - bar_omega * bar_vx);
+        let product_56 = sin_bar_phi * (acceleration_4 - bar_omega * bar_vx);
         let bar_vy = v[4usize];
         let acceleration_3 = a[3usize];
-        let product_57 = cos_bar_phi * (bar_omega * bar_vy + acceleration_3);
+        let product_61 = cos_bar_phi * (bar_omega * bar_vy + acceleration_3);
         let seat_vx = v[0usize];
         let acceleration_1 = a[1usize];
-        let product_63 = sin_seat_phi * (acceleration_1 - seat_omega * seat_vx);
+        let product_67 = sin_seat_phi * (acceleration_1 - seat_omega * seat_vx);
         let seat_vy = v[1usize];
         let acceleration_0 = a[0usize];
-        let product_68 = cos_seat_phi * (seat_omega * seat_vy + acceleration_0);
-        let b_two = c[38usize];
+        let product_72 = cos_seat_phi * (seat_omega * seat_vy + acceleration_0);
+        let b_two = c[42usize];
         let seat_omega_b_two = seat_omega * b_two;
-        let d_two = c[39usize];
+        let d_two = c[43usize];
         let bar_omega_d_two = bar_omega * d_two;
-        by_q[0usize] = multiplier_3 * cos_seat_phi;
-        by_q[1usize] = multiplier_3 * sin_seat_phi;
-        by_q[2usize] = sum_12 * b;
+        let holds_seat_omega = holds * seat_omega;
+        let sum_93 = cos_seat_phi * seat_vx + sin_seat_phi * seat_vy;
+        by_q[0usize] = sum_5 * cos_seat_phi;
+        by_q[1usize] = sum_5 * sin_seat_phi;
+        by_q[2usize] = sum_16 * b;
         by_q[3usize] = multiplier_2 * cos_bar_phi;
         by_q[4usize] = multiplier_2 * sin_bar_phi;
-        by_q[5usize] = sum_23 * d;
-        by_q[6usize] = b * difference_31;
-        by_q[7usize] = d * difference_38;
-        by_q[8usize] = b * sum_42;
-        by_q[9usize] = d * sum_46;
-        by_q[10usize] = product_52 + product_57;
-        by_q[11usize] = product_63 + product_68;
+        by_q[5usize] = sum_27 * d;
+        by_q[6usize] = b * difference_35;
+        by_q[7usize] = d * difference_42;
+        by_q[8usize] = b * sum_46;
+        by_q[9usize] = d * sum_50;
+        by_q[10usize] = product_56 + product_61;
+        by_q[11usize] = holds * (product_67 + product_72);
         by_v[0usize] = cos_seat_phi * seat_omega_b_two;
         by_v[1usize] = cos_bar_phi * bar_omega_d_two;
         by_v[2usize] = sin_seat_phi * seat_omega_b_two;
@@ -107,20 +112,20 @@ impl ezy::Derived for Skid {
         by_v[4usize] = cos_bar_phi * bar_omega;
         by_v[5usize] = sin_bar_phi * bar_omega;
         by_v[6usize] = cos_bar_phi * bar_vx + sin_bar_phi * bar_vy;
-        by_v[7usize] = cos_seat_phi * seat_omega;
-        by_v[8usize] = sin_seat_phi * seat_omega;
-        by_v[9usize] = cos_seat_phi * seat_vx + sin_seat_phi * seat_vy;
+        by_v[7usize] = cos_seat_phi * holds_seat_omega;
+        by_v[8usize] = sin_seat_phi * holds_seat_omega;
+        by_v[9usize] = holds * sum_93;
     }
     fn element_values(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let c = ezy::array::<41usize, f64>(c);
+        let c = ezy::array::<45usize, f64>(c);
         let q = ezy::array::<6usize, f64>(q);
         let v = ezy::array::<6usize, f64>(v);
         let out = ezy::array_mut::<17usize, f64>(out);
-        let parameter_a = c[29usize];
-        let parameter_c = c[28usize];
-        let b = c[11usize];
-        let d = c[12usize];
-        let m0 = c[30usize];
+        let parameter_a = c[40usize];
+        let parameter_c = c[32usize];
+        let b = c[16usize];
+        let d = c[17usize];
+        let m0 = c[0usize];
         let omega = c[1usize];
         let cos_omega_t = f64::cos(omega * t);
         out[0usize] = -parameter_a;
@@ -261,21 +266,11 @@ impl ezy::Derived for Skid {
     fn in_lanes(&self) -> ::core::option::Option<&dyn ezy::EquationsInLanes> {
         ::core::option::Option::Some(self)
     }
+    ezy::access_to_derivatives! {}
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)
     }
     fn precise(&self) -> ::core::option::Option<&dyn ezy::PreciseScene> {
         ::core::option::Option::Some(self)
-    }
-    fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ezy::Scene>> {
-        ::std::vec![
-            ::std::boxed::Box::new(* self),
-            ::std::boxed::Box::new(modes_of_skid::SlidesLeft { a : self.a, b : self.b, c
-            : self.c, d : self.d, m1 : self.m1, i1 : self.i1, m2 : self.m2, i2 : self.i2,
-            m0 : self.m0, omega : self.omega, hold : self.hold }),
-            ::std::boxed::Box::new(modes_of_skid::SlidesRight { a : self.a, b : self.b, c
-            : self.c, d : self.d, m1 : self.m1, i1 : self.i1, m2 : self.m2, i2 : self.i2,
-            m0 : self.m0, omega : self.omega, hold : self.hold })
-        ]
     }
 }

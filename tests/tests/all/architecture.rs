@@ -82,6 +82,81 @@ fn invariant_layers_of_the_core_import_downwards() {
     check("ezy-core/src", CORE);
 }
 
+/// Where each layer stands in the picture: column and floor.
+const PLACES: [&[(&str, [u32; 2])]; 2] = [
+    &[
+        ("cli", [380, 7]),
+        ("optimise", [120, 6]),
+        ("accuracy", [500, 6]),
+        ("sweep", [640, 6]),
+        ("simulate", [300, 5]),
+        ("integrate", [240, 4]),
+        ("dynamics", [240, 3]),
+        ("report", [500, 3]),
+        ("layout", [100, 2]),
+        ("linalg", [240, 2]),
+        ("record", [420, 2]),
+        ("output", [640, 2]),
+        ("model", [280, 1]),
+        ("scalar", [280, 0]),
+    ],
+    &[
+        ("emit", [860, 5]),
+        ("mechanics", [860, 4]),
+        ("model", [860, 3]),
+        ("symbolic", [990, 3]),
+        ("parse", [860, 2]),
+        ("diag", [860, 1]),
+    ],
+];
+
+/// The layers that one imports, without those that one of them imports, too.
+fn next_below(layers: &'static [(&'static str, &'static [&'static str])], of: &str) -> Vec<&'static str> {
+    let imports = |of: &str| layers.iter().find(|(layer, _)| *layer == of).map_or(&[][..], |(_, imports)| imports);
+    let below = || imports(of).iter().copied().filter(|layer| *layer != of);
+    below().filter(|layer| !below().any(|over| over != *layer && imports(over).contains(layer))).collect()
+}
+
+/// Layers as boxes, a line from each to those right below it.
+fn picture() -> String {
+    const FLOOR: u32 = 64;
+    let y = |floor: u32| FLOOR * (7 - floor) + 56;
+    let mut lines = String::new();
+    let mut boxes = String::new();
+    for (layers, places) in [CORE, DERIVE].into_iter().zip(PLACES) {
+        let place = |layer: &str| places.iter().find(|(name, _)| *name == layer).map(|(_, place)| *place);
+        // what emitted code calls stands beside the layers
+        for (layer, _) in layers.iter().filter(|(layer, _)| *layer != "kernel") {
+            let [x, floor] = place(layer).unwrap_or_else(|| panic!("`{layer}` has no place in the picture"));
+            for [to_x, to_floor] in next_below(layers, layer).into_iter().filter_map(place) {
+                assert!(to_floor < floor, "`{layer}` stands below what it imports");
+                lines += &format!("<path d=\"M{x} {} L{to_x} {}\"/>\n", y(floor) + 15, y(to_floor) - 15);
+            }
+            boxes += &format!("<rect x=\"{}\" y=\"{}\" width=\"96\" height=\"30\" rx=\"4\"/>", x - 48, y(floor) - 15);
+            boxes += &format!("<text x=\"{x}\" y=\"{}\">{layer}</text>\n", y(floor) + 5);
+        }
+    }
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1080 540\" font-family=\"sans-serif\" font-size=\"15\">\n\
+         <style>text {{ fill: #222; text-anchor: middle; }} path, rect {{ fill: none; stroke: #667; }} rect {{ fill: #eef; }}\n\
+         @media (prefers-color-scheme: dark) {{ text {{ fill: #eee; }} path, rect {{ stroke: #99a; }} rect {{ fill: #223; }} }}</style>\n\
+         <text x=\"120\" y=\"30\">ezy-core</text>\n<text x=\"860\" y=\"30\">ezy-derive</text>\n{lines}{boxes}</svg>\n"
+    )
+}
+
+#[test]
+fn regress_picture_of_the_layers_is_that_of_their_imports() {
+    let path = root().join("docs/layers.svg");
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(&path, picture()).unwrap();
+    }
+    let drawn = fs::read_to_string(path).unwrap();
+    assert!(
+        drawn == picture(),
+        "docs/layers.svg is out of date: UPDATE_GOLDEN=1 cargo test -p ezy-tests --test all -- picture_of_the_layers"
+    );
+}
+
 /// Texts in single backquotes that are paths of the repository.
 pub fn paths(page: &str) -> Vec<&str> {
     let prefixes = ["ezy-derive/", "ezy-core/", "models/", "tests/", "docs/"];

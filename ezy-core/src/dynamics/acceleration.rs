@@ -6,14 +6,18 @@ use super::solved::{Rows, Solved};
 use super::tolerances::geometry::TOLERANCE;
 use super::{Metric, MotionError, System};
 use crate::linalg::{EquationResidual, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, weights, write_diagonal};
-use crate::model::{Equations as _, Pivots, SceneRef, Series, SeriesStore};
+use crate::model::{Equations as _, SceneRef, Series, SeriesStore};
 use std::sync::Arc;
 
 impl<P: SceneRef> Configuration<'_, P> {
-    /// Accelerations and multipliers at velocities `v` (`n_q`), as [`System::accelerations`] but not verified.
+    /// Accelerations and multipliers at velocities `v` (`n_v`), as [`System::accelerations`] but not verified: where constraints nearly
+    /// depend on each other, what they differ by is rounding of a state that was projected onto them.
+    /// [`Diagnosis::check_accelerations`](super::diagnosis::Diagnosis::check_accelerations) tells when it is more than that.
     ///
     /// # Errors
     /// [`MotionError`] when a number is not finite or nothing moves a coordinate; `a` and `lambda` are then unspecified.
+    /// # Cost
+    /// One run of the elimination of the scene, or one factorisation and one solve; no allocation.
     #[inline]
     pub(crate) fn accelerations(
         &mut self,
@@ -22,17 +26,18 @@ impl<P: SceneRef> Configuration<'_, P> {
         lambda: &mut [f64],
     ) -> Result<Solved, MotionError> {
         if self.may_eliminate() {
-            let found = match self.system.factors.ahead.accelerations(self.t, self.q, v) {
+            let System { scene, fixed, factors, counters, .. } = &mut *self.system;
+            counters.evaluations += 1;
+            let smallest = match factors.ahead.accelerations(self.t, self.q, v) {
                 Some((smallest, solution)) => {
                     let (of_coordinates, of_rows) = solution.split_at(a.len());
                     a.copy_from_slice(of_coordinates);
                     lambda.copy_from_slice(of_rows);
-                    self.system.counters.evaluations += 1;
                     Some(smallest)
                 }
-                None => self.system.eliminate_accelerations(self.t, self.q, v, a, lambda),
+                None => counters.eliminated(scene.accelerations(fixed, self.t, self.q, v, a, lambda)),
             };
-            if let Some(smallest) = found {
+            if let Some(smallest) = smallest {
                 return Ok(Solved::regular(smallest));
             }
         }
@@ -54,10 +59,11 @@ impl<P: SceneRef> Configuration<'_, P> {
     /// # Errors
     /// As [`Self::accelerations`].
     pub(crate) fn correction(&mut self, residual: &[f64], delta: &mut [f64]) -> Result<Solved, MotionError> {
-        if self.may_eliminate()
-            && let Some(smallest) = self.system.eliminate_correction(self.t, self.q, residual, delta)
-        {
-            return Ok(Solved::regular(smallest));
+        if self.may_eliminate() {
+            let System { scene, fixed, counters, .. } = &mut *self.system;
+            if let Some(smallest) = counters.eliminated(scene.correction(fixed, self.t, self.q, residual, delta)) {
+                return Ok(Solved::regular(smallest));
+            }
         }
         self.solve_correction(residual, delta)
     }
@@ -111,7 +117,7 @@ impl<P: SceneRef> Configuration<'_, P> {
         }
         self.system.diagnosis().check_accelerations(t, q, solved)?;
         let smallest_pivot = self.system.diagnosis().independence(t, q);
-        let rank = self.system.rank_at(t, q, Independent::Above(INDEPENDENT_EXACTLY));
+        let rank = self.system.at(t, q).rank(Independent::Above(INDEPENDENT_EXACTLY));
         let found = rank.map(|rank| rank.dependencies()).filter(|found| found.n > 0);
         Err(MotionError::LostInRounding {
             t,
@@ -119,6 +125,75 @@ impl<P: SceneRef> Configuration<'_, P> {
             rows: found.iter().flat_map(|found| &found.rows).map(|&i| info.rows[i].name.clone()).collect(),
             residual: left,
         })
+    }
+
+    /// Begins a series from orders 0 and 1 of q in `store` ([`Series::begin`]), which are those of this configuration. Where the scene's own
+    /// elimination can solve for it, returns the smallest pivot; else K is factored, for [`Self::solve`].
+    ///
+    /// # Errors
+    /// As [`Self::accelerations`].
+    #[inline]
+    pub(crate) fn begin_series(
+        &mut self,
+        series: &dyn Series<f64>,
+        store: &mut SeriesStore<f64>,
+    ) -> Result<Option<f64>, MotionError> {
+        self.system.counters.evaluations += 1;
+        let pivots = series.begin(&self.system.fixed, self.t, store);
+        if self.may_eliminate()
+            && let Some(smallest) = self.system.counters.eliminated(pivots)
+        {
+            return Ok(Some(smallest));
+        }
+        self.factor().map(|()| None)
+    }
+
+    /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors that [`Self::factor`] or [`Self::begin_series`] made here.
+    pub(crate) fn solve(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Solved {
+        let right_side = &mut self.system.factors.right_side;
+        right_side[..force.len()].copy_from_slice(force);
+        right_side[force.len()..].copy_from_slice(row);
+        let solved = self.solve_in_buffer();
+        self.read_solution(a, lambda);
+        solved
+    }
+
+    /// Projects `x` (`n_v`) onto the null space of G, in the mass matrix: G x = 0 afterwards.
+    ///
+    /// # Errors
+    /// As [`Self::accelerations`].
+    /// # Cost
+    /// One correction; no allocation.
+    pub(crate) fn project_onto_null_space(&mut self, x: &mut [f64]) -> Result<(), MotionError> {
+        self.system.buffers.residual.fill(0.0);
+        self.remove_residual_from(x)
+    }
+
+    /// Removes from accelerations `a` at velocities `v` what rounding left of `G a + [h; s]`, by one correction in the mass matrix.
+    ///
+    /// The elimination finds the multipliers to their last digits and divides by masses: a bar of 0.005 kg·m² under
+    /// reactions of 10 N keeps 1e-13 rad/s². Reading the light coordinates off the rows instead keeps 1e-15.
+    ///
+    /// # Errors
+    /// As [`Self::accelerations`].
+    /// # Cost
+    /// One correction; no allocation.
+    pub(crate) fn refine_accelerations(&mut self, v: &[f64], a: &mut [f64]) -> Result<(), MotionError> {
+        let System { scene, fixed, buffers, .. } = &mut *self.system;
+        scene.convective_term(fixed, self.t, self.q, v, &mut buffers.residual);
+        self.remove_residual_from(a)
+    }
+
+    /// Corrects `x` so that `G x` plus what stands in the buffer of residuals is zero.
+    fn remove_residual_from(&mut self, x: &mut [f64]) -> Result<(), MotionError> {
+        let System { scene, info, fixed, buffers, .. } = &mut *self.system;
+        scene.velocity_jacobian(fixed, self.t, self.q, &mut buffers.jacobian);
+        for (k, row, column) in info.jacobian.entries() {
+            buffers.residual[row] += buffers.jacobian[k] * x[column];
+        }
+        self.system.projector().correct(self.t, self.q, Metric::Mass, self.rows)?;
+        x.iter_mut().zip(&self.system.buffers.delta).for_each(|(x, delta)| *x += delta);
+        Ok(())
     }
 }
 
@@ -158,83 +233,6 @@ impl<P: SceneRef> System<P> {
         Ok(solved)
     }
 
-    /// As [`System::accelerations`] within a run, not verified: where constraints nearly depend on each other, what they differ by is
-    /// rounding of a state that was projected onto them. [`System::check_accelerations`] tells when it is more than that.
-    ///
-    /// # Errors
-    /// As [`System::accelerations`], but for rows that contradict each other.
-    #[inline]
-    pub(crate) fn accelerations_unchecked(
-        &mut self,
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-        lambda: &mut [f64],
-        rows: Rows,
-    ) -> Result<Solved, MotionError> {
-        self.at_with(t, q, rows).accelerations(v, a, lambda)
-    }
-
-    /// [`System::accelerations_unchecked`] of a stage of a step.
-    #[inline]
-    pub(super) fn accelerations_of_stage(
-        &mut self,
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-        lambda: &mut [f64],
-    ) -> Result<(), MotionError> {
-        if self.uses_elimination()
-            && !self.active.leaves_out_redundant()
-            && self.eliminate_accelerations(t, q, v, a, lambda).is_some()
-        {
-            return Ok(());
-        }
-        self.at_with(t, q, Rows::Held).solve_accelerations(v, a, lambda).map(|_| ())
-    }
-
-    /// By the elimination of the scene: its smallest pivot; none where one vanished.
-    #[inline]
-    fn eliminate_accelerations(
-        &mut self,
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-        lambda: &mut [f64],
-    ) -> Option<f64> {
-        let pivots = self.scene.accelerations(&self.fixed, t, q, v, a, lambda);
-        self.counters.evaluations += 1;
-        self.eliminated(pivots)
-    }
-
-    /// As [`System::eliminate_accelerations`] at the projected velocities, which are found first; what is found is kept.
-    #[inline]
-    pub(super) fn eliminate_ahead(&mut self, t: f64, q: &[f64], v: &[f64]) -> Option<f64> {
-        let Self { scene, fixed, factors, .. } = self;
-        let pivots = scene.projected_accelerations(fixed, t, q, v, factors.ahead.begin());
-        let smallest = self.eliminated(pivots)?;
-        self.factors.ahead.keep(t, q, smallest);
-        Some(smallest)
-    }
-
-    #[inline]
-    fn eliminate_correction(&mut self, t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> Option<f64> {
-        let pivots = self.scene.correction(&self.fixed, t, q, residual, delta);
-        self.eliminated(pivots)
-    }
-
-    /// Takes note of an elimination.
-    #[inline]
-    pub(super) fn eliminated(&mut self, pivots: Pivots) -> Option<f64> {
-        self.counters.factorizations += 1;
-        let smallest = pivots.smallest();
-        self.least_pivot = self.least_pivot.min(smallest);
-        pivots.all_keep().then_some(smallest)
-    }
-
     /// The smallest `delta` (`n_q`) with `G(q, t) delta = −residual` (`n_c`), smallest in the mass matrix or, with
     /// [`Metric::Euclidean`], in plain numbers.
     ///
@@ -256,112 +254,8 @@ impl<P: SceneRef> System<P> {
         }
     }
 
-    /// Begins a series from orders 0 and 1 of q in `store` ([`Series::begin`]). Where the scene's own elimination can solve for
-    /// it, returns the smallest pivot; else K is factored, for [`System::solve_factored`].
-    ///
-    /// # Errors
-    /// As [`System::accelerations`].
-    #[inline]
-    pub(crate) fn begin_series(
-        &mut self,
-        series: &dyn Series<f64>,
-        t: f64,
-        store: &mut SeriesStore<f64>,
-    ) -> Result<Option<f64>, MotionError> {
-        self.counters.evaluations += 1;
-        let (pivots, n_q) = (series.begin(&self.fixed, t, store), self.info.n_coordinates());
-        let (q, rows) = (&store.q[..n_q], Rows::Projected);
-        if self.uses_elimination()
-            && !self.factors.are_of(t, q, rows)
-            && let Some(smallest) = self.eliminated(pivots)
-        {
-            return Ok(Some(smallest));
-        }
-        self.at_with(t, q, rows).factor().map(|()| None)
-    }
-
-    /// Factors K at one state, for [`System::solve_factored`].
-    ///
-    /// # Errors
-    /// As [`System::accelerations`].
-    pub(crate) fn factorize(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
-        self.at_with(t, q, Rows::Projected).factor()
-    }
-
     /// Whether the scene's own elimination solves, as long as no pivot vanishes.
     pub fn uses_elimination(&self) -> bool {
         matches!(self.solver, Solver::Generated)
-    }
-
-    /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors that were made last, by [`System::factorize`] or
-    /// [`System::begin_series`].
-    pub(crate) fn solve_factored(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Solved {
-        let right_side = &mut self.factors.right_side;
-        right_side[..force.len()].copy_from_slice(force);
-        right_side[force.len()..].copy_from_slice(row);
-        let mut at = self.at(f64::NAN, &[]);
-        let solved = at.solve_in_buffer();
-        at.read_solution(a, lambda);
-        solved
-    }
-
-    /// Projects `x` (`n_q`) onto the null space of G, in the mass matrix: G x = 0 afterwards.
-    ///
-    /// # Errors
-    /// As [`System::accelerations`].
-    /// # Cost
-    /// One correction; no allocation.
-    pub(crate) fn project_onto_null_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
-        self.buffers.residual.fill(0.0);
-        self.remove_residual_from(t, q, x)
-    }
-
-    /// Smallest pivot, as in [`Solved`], of the rows that a step goes on with, at positions that no row has to hold; zero where they
-    /// depend on each other.
-    pub(crate) fn pivot_at(&mut self, t: f64, q: &[f64]) -> f64 {
-        let least = self.least_pivot;
-        let at = self.at_with(t, q, Rows::Held);
-        let pivot = if at.may_eliminate() {
-            let System { scene, fixed, buffers, .. } = &mut *at.system;
-            buffers.residual.fill(0.0);
-            let pivots = scene.correction(fixed, t, q, &buffers.residual, &mut buffers.delta);
-            at.system.eliminated(pivots).unwrap_or(0.0)
-        } else {
-            self.pivot_of_rows(t, q).unwrap_or_else(|| self.at_with(t, q, Rows::Projected).factored_pivot())
-        };
-        self.least_pivot = least;
-        pivot
-    }
-
-    /// Removes from accelerations `a` what rounding left of `G a + [h; s]`, by one correction in the mass matrix.
-    ///
-    /// The elimination finds the multipliers to their last digits and divides by masses: a bar of 0.005 kg·m² under
-    /// reactions of 10 N keeps 1e-13 rad/s². Reading the light coordinates off the rows instead keeps 1e-15.
-    ///
-    /// # Errors
-    /// As [`System::accelerations`].
-    /// # Cost
-    /// One correction; no allocation.
-    pub(crate) fn refine_accelerations(
-        &mut self,
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-    ) -> Result<(), MotionError> {
-        self.scene.convective_term(&self.fixed, t, q, v, &mut self.buffers.residual);
-        self.remove_residual_from(t, q, a)
-    }
-
-    /// Corrects `x` so that `G x` plus what stands in the buffer of residuals is zero.
-    fn remove_residual_from(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
-        let Self { scene, info, fixed, buffers, .. } = self;
-        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
-        for (k, row, column) in info.jacobian.entries() {
-            buffers.residual[row] += buffers.jacobian[k] * x[column];
-        }
-        self.projector().correct(t, q, Metric::Mass, Rows::Projected)?;
-        x.iter_mut().zip(&self.buffers.delta).for_each(|(x, delta)| *x += delta);
-        Ok(())
     }
 }

@@ -3,11 +3,12 @@
 use crate::model::SceneInfo;
 
 /// The rows of a scene that take part.
-pub(super) struct ActiveSet {
+pub(crate) struct ActiveSet {
     /// Parameters, then switches: what the constants of the scene are computed from.
     parameters: Vec<f64>,
     /// Rows that are switched off, ascending: their equations are 0 = 0.
     off: Vec<usize>,
+    n_on: [usize; 2],
     /// The independent rows at the start of a step, where others were redundant.
     pub(super) held: Vec<usize>,
 }
@@ -15,8 +16,8 @@ pub(super) struct ActiveSet {
 impl ActiveSet {
     /// As the scene starts, with these parameters and its switches.
     pub(super) fn new(info: &SceneInfo, parameters: &[f64]) -> Self {
-        let mut new =
-            Self { parameters: parameters.to_vec(), off: Vec::new(), held: Vec::with_capacity(info.n_rows()) };
+        let held = Vec::with_capacity(info.n_rows());
+        let mut new = Self { parameters: parameters.to_vec(), off: Vec::new(), n_on: [0; 2], held };
         new.find_off(info);
         new
     }
@@ -39,9 +40,14 @@ impl ActiveSet {
         &self.off
     }
 
-    /// Whether rows that depend on others are left out.
+    /// How many position constraints, and how many rows, are not switched off.
+    pub(crate) fn n_on(&self) -> [usize; 2] {
+        self.n_on
+    }
+
+    /// Whether rows were redundant at the start of the step: those that depend on others are left out.
     #[inline]
-    pub(super) fn leaves_out_redundant(&self) -> bool {
+    pub(crate) fn leaves_out_redundant(&self) -> bool {
         !self.held.is_empty()
     }
 
@@ -58,6 +64,7 @@ impl ActiveSet {
         if let (Some(row), Some(0.0)) = (info.switched_row(), self.parameters.get(info.parameters.len())) {
             self.off.push(row);
         }
+        self.n_on = [info.n_position_rows, info.n_rows()].map(|n| n - self.off.iter().filter(|row| **row < n).count());
     }
 }
 
@@ -82,7 +89,7 @@ mod tests {
     /// The rank, the redundant rows, the acceleration along the rail and the multiplier of the stop.
     fn seen(system: &mut System<&bead::Slides>, q: &[f64], v: &[f64]) -> (usize, usize, f64, f64) {
         let found =
-            system.rank_at(0.0, q, Independent::Above(INDEPENDENT)).map(|found| (found.rank(), found.n_redundant()));
+            system.at(0.0, q).rank(Independent::Above(INDEPENDENT)).map(|found| (found.rank(), found.n_redundant()));
         let (rank, redundant) = found.unwrap();
         let (mut a, mut lambda) = ([0.0; 3], [0.0; 2]);
         system.accelerations(0.0, q, v, &mut a, &mut lambda).unwrap();

@@ -2,7 +2,7 @@
 
 use super::geometry::tolerance_at;
 use super::tolerances::projection::MAX_PASSES;
-use super::{MotionError, System};
+use super::{MotionError, Rows, System};
 use crate::model::body_kind;
 use crate::model::{Equations, Pivots, SceneInfo, SceneRef};
 use crate::scalar::Scalar;
@@ -54,7 +54,7 @@ impl<P: SceneRef> Dynamics<f64> for System<P> {
         a: &mut [f64],
         lambda: &mut [f64],
     ) -> Result<(), MotionError> {
-        self.accelerations_of_stage(t, q, v, a, lambda)
+        self.at_with(t, q, Rows::Held).accelerations(v, a, lambda).map(|_| ())
     }
 
     #[inline]
@@ -80,7 +80,7 @@ impl<P: SceneRef> Dynamics<f64> for System<P> {
     }
 
     fn project_onto_null_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
-        self.project_onto_null_space(t, q, x).is_ok()
+        self.at_with(t, q, Rows::Projected).project_onto_null_space(x).is_ok()
     }
 }
 

@@ -1,5 +1,6 @@
 //! One configuration: G, the factors of K and what they say of its rows.
 
+use super::active_set::ActiveSet;
 use super::factors::{Factors, Made, Solver};
 use super::solved::{Rows, Solved};
 use super::{MotionError, System};
@@ -19,13 +20,14 @@ pub(crate) struct Configuration<'c, P: SceneRef> {
 
 impl<P: SceneRef> System<P> {
     /// The system at the configuration `q` (`n_q`) at time `t`.
+    #[inline]
     pub(crate) fn at<'c>(&'c mut self, t: f64, q: &'c [f64]) -> Configuration<'c, P> {
         Configuration { system: self, t, q, rows: Rows::Exact }
     }
 
-    /// As [`System::at`], with these rows; held ones where [`System::hold_rows`] found some.
+    /// As [`System::at`], with these rows; held ones where [`Configuration::hold_rows`] found some.
     #[inline]
-    pub(super) fn at_with<'c>(&'c mut self, t: f64, q: &'c [f64], rows: Rows) -> Configuration<'c, P> {
+    pub(crate) fn at_with<'c>(&'c mut self, t: f64, q: &'c [f64], rows: Rows) -> Configuration<'c, P> {
         let rows = if rows == Rows::Held && !self.active.leaves_out_redundant() { Rows::Projected } else { rows };
         Configuration { system: self, t, q, rows }
     }
@@ -38,44 +40,47 @@ impl<P: SceneRef> System<P> {
         factors.forget();
     }
 
-    /// How many position constraints, and how many rows, are not switched off.
-    pub(crate) fn n_rows_on(&self) -> [usize; 2] {
-        [self.info.n_position_rows, self.info.n_rows()]
-            .map(|n| n - self.active.off().iter().filter(|row| **row < n).count())
+    /// Which rows hold.
+    #[inline]
+    pub(crate) fn active(&self) -> &ActiveSet {
+        &self.active
+    }
+}
+
+impl<'c, P: SceneRef> Configuration<'c, P> {
+    /// Inputs, first-order states and constants, as [`System::fixed`].
+    pub(crate) fn fixed(&self) -> &[f64] {
+        &self.system.fixed
     }
 
     /// Where rows are redundant at the start of a step, its stages keep to those that are independent there.
     #[inline]
-    pub(crate) fn hold_rows(&mut self, t: f64, q: &[f64], are_redundant: bool) {
-        if !are_redundant && !self.active.leaves_out_redundant() {
+    pub(crate) fn hold_rows(self, are_redundant: bool) {
+        if !are_redundant && !self.system.active.leaves_out_redundant() {
             return;
         }
-        let mut held = std::mem::take(&mut self.active.held);
+        let Self { system, t, q, .. } = self;
+        let mut held = std::mem::take(&mut system.active.held);
         held.clear();
         if are_redundant
-            && let Some(rank) = self.rank_at(t, q, Independent::Above(INDEPENDENT))
+            && let Some(rank) = system.at(t, q).rank(Independent::Above(INDEPENDENT))
             && rank.n_redundant() > 0
         {
             held.extend(rank.independent_rows());
         }
-        self.active.held = held;
-        if self.factors.rows == Rows::Held {
-            self.factors.forget();
+        system.active.held = held;
+        if system.factors.rows == Rows::Held {
+            system.factors.forget();
         }
     }
 
-    /// Whether rows were redundant at the start of the step.
-    pub(crate) fn holds_rows(&self) -> bool {
-        self.active.leaves_out_redundant()
-    }
-
-    /// What G at a configuration says about its rows; none in a system too large to tell, or where G is not finite.
-    pub(super) fn rank_at(&mut self, t: f64, q: &[f64], independent: Independent<'_>) -> Option<&RankRevealing> {
-        if self.info.n_unknowns() > LARGEST_DIAGNOSED {
+    /// What G says about its rows; none in a system too large to tell, or where G is not finite.
+    pub(super) fn rank(self, independent: Independent<'_>) -> Option<&'c RankRevealing> {
+        let System { scene, info, fixed, mass, geometry, active, factors, buffers, .. } = self.system;
+        if info.n_unknowns() > LARGEST_DIAGNOSED {
             return None;
         }
-        let Self { scene, info, fixed, mass, geometry, active, factors, buffers, .. } = self;
-        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
+        scene.velocity_jacobian(fixed, self.t, self.q, &mut buffers.jacobian);
         let rank = factors
             .rank
             .get_or_insert_with(|| Box::new(RankRevealing::new(info.n_rows(), info.n_velocities(), &info.jacobian)));
@@ -84,21 +89,35 @@ impl<P: SceneRef> System<P> {
 
     /// Square of the smallest pivot of the rows that a step goes on with; zero where they depend on each other, none where that cannot
     /// be told.
-    pub(super) fn pivot_of_rows(&mut self, t: f64, q: &[f64]) -> Option<f64> {
-        let held = std::mem::take(&mut self.active.held);
+    pub(super) fn pivot_of_rows(&mut self) -> Option<f64> {
+        let held = std::mem::take(&mut self.system.active.held);
         let rows = if held.is_empty() { Independent::Above(f64::EPSILON) } else { Independent::Rows(&held) };
-        let is_small = self.info.n_unknowns() <= LARGEST_DIAGNOSED;
-        let pivot = match self.rank_at(t, q, rows) {
+        let is_small = self.system.info.n_unknowns() <= LARGEST_DIAGNOSED;
+        let pivot = match self.system.at(self.t, self.q).rank(rows) {
             Some(rank) if held.is_empty() && rank.n_redundant() > 0 => Some(0.0),
             Some(rank) => Some(rank.smallest_pivot().powi(2)),
             None => is_small.then_some(0.0),
         };
-        self.active.held = held;
+        self.system.active.held = held;
         pivot
     }
-}
 
-impl<P: SceneRef> Configuration<'_, P> {
+    /// Smallest pivot, as in [`Solved`], at positions that no row has to hold; zero where rows depend on each other.
+    pub(crate) fn smallest_pivot(&mut self) -> f64 {
+        let least = self.system.counters.least_pivot;
+        let pivot = if self.may_eliminate() {
+            let System { scene, fixed, buffers, counters, .. } = &mut *self.system;
+            buffers.residual.fill(0.0);
+            let pivots = scene.correction(fixed, self.t, self.q, &buffers.residual, &mut buffers.delta);
+            counters.eliminated(pivots).unwrap_or(0.0)
+        } else {
+            let of_rows = self.pivot_of_rows();
+            of_rows.unwrap_or_else(|| self.system.at_with(self.t, self.q, Rows::Projected).factored_pivot())
+        };
+        self.system.counters.least_pivot = least;
+        pivot
+    }
+
     /// Whether the scene's own elimination may solve here: not where rows are redundant.
     #[inline]
     pub(super) fn may_eliminate(&self) -> bool {
@@ -110,7 +129,7 @@ impl<P: SceneRef> Configuration<'_, P> {
     ///
     /// # Errors
     /// [`MotionError`] when a number is not finite or a coordinate is undetermined.
-    pub(super) fn factor(&mut self) -> Result<(), MotionError> {
+    pub(crate) fn factor(&mut self) -> Result<(), MotionError> {
         let (t, q, rows) = (self.t, self.q, self.rows);
         if self.system.factors.are_of(t, q, rows) {
             return Ok(());
@@ -161,7 +180,8 @@ impl<P: SceneRef> Configuration<'_, P> {
         (factors.t, factors.rows) = (t, rows);
         factors.q.copy_from_slice(q);
         let smallest = self.pivot();
-        self.system.least_pivot = self.system.least_pivot.min(smallest);
+        let counters = &mut self.system.counters;
+        counters.least_pivot = counters.least_pivot.min(smallest);
         Ok(())
     }
 

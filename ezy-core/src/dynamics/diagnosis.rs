@@ -1,6 +1,7 @@
 //! The part of a system that says what its rows and forces do at a state: which rows depend on each other, and what cannot go on.
 
-use super::System;
+use super::tolerances::geometry::TOLERANCE;
+use super::{System, max_abs};
 use crate::linalg::{ConditionEstimator, Conditioning};
 use crate::model::{Equations as _, SceneRef};
 
@@ -27,5 +28,11 @@ impl<P: SceneRef> Diagnosis<'_, P> {
         let System { scene, info, fixed, mass, active, buffers, .. } = &mut *self.system;
         scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
         estimator.estimate(mass, &info.jacobian, &buffers.jacobian, active.off())
+    }
+
+    /// Work of the largest multiplier over the tolerance of positions, J: a body that is held gains or loses as much by rounding.
+    /// Test: `monitors.rs`, a plate that cannot move.
+    pub(crate) fn work_of_rounding(&self, multipliers: &[f64]) -> f64 {
+        TOLERANCE * self.system.geometry.length * max_abs(multipliers)
     }
 }

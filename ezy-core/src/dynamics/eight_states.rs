@@ -1,6 +1,6 @@
 //! Accelerations at eight states at once.
 
-use super::{MotionError, System};
+use super::{MotionError, Rows, System};
 use crate::model::{Derived as _, Eight, Scene, SceneRef};
 use crate::scalar::Scalar;
 
@@ -60,41 +60,39 @@ impl EightStates {
         }
         &self.one
     }
-}
 
-impl<P: SceneRef> System<P> {
     /// Takes over what kernels read in the present step.
-    pub(crate) fn begin_eight(&self, states: &mut EightStates) {
-        states.fixed.clear();
-        states.fixed.extend(self.fixed.iter().map(|&x| Eight::from_f64(x)));
+    pub(crate) fn begin<P: SceneRef>(&mut self, system: &System<P>) {
+        self.fixed.clear();
+        self.fixed.extend(system.fixed.iter().map(|&x| Eight::from_f64(x)));
     }
 
     /// Accelerations and multipliers within a run, as those of stages: by the elimination of the scene all at once, or one after the other.
     ///
     /// # Errors
     /// [`MotionError`] of any of them.
-    pub(crate) fn accelerations_of_eight(&mut self, states: &mut EightStates) -> Result<(), MotionError> {
-        if self.uses_elimination() && !self.active.leaves_out_redundant() && self.eliminate_eight(states) {
+    pub(crate) fn accelerate<P: SceneRef>(&mut self, system: &mut System<P>) -> Result<(), MotionError> {
+        if system.uses_elimination() && !system.active.leaves_out_redundant() && self.eliminate(system) {
             return Ok(());
         }
-        states.smallest_pivot = f64::INFINITY;
-        for lane in 0..states.t.0.len() {
-            states.one(lane);
-            let OneState { q, v, a, lambda } = &mut states.one;
-            self.accelerations_of_stage(states.t.0[lane], q, v, a, lambda)?;
-            states.a.iter_mut().zip(a).for_each(|(eight, one)| eight.0[lane] = *one);
-            states.lambda.iter_mut().zip(lambda).for_each(|(eight, one)| eight.0[lane] = *one);
+        self.smallest_pivot = f64::INFINITY;
+        for lane in 0..self.t.0.len() {
+            self.one(lane);
+            let OneState { q, v, a, lambda } = &mut self.one;
+            system.at_with(self.t.0[lane], q, Rows::Held).accelerations(v, a, lambda)?;
+            self.a.iter_mut().zip(a).for_each(|(eight, one)| eight.0[lane] = *one);
+            self.lambda.iter_mut().zip(lambda).for_each(|(eight, one)| eight.0[lane] = *one);
         }
         Ok(())
     }
 
     /// Whether the elimination of the scene solved for all of them.
-    fn eliminate_eight(&mut self, states: &mut EightStates) -> bool {
-        let Some(scene) = self.scene.in_lanes() else { return false };
-        let EightStates { t, q, v, a, lambda, smallest_pivot, fixed, .. } = states;
+    fn eliminate<P: SceneRef>(&mut self, system: &mut System<P>) -> bool {
+        let Some(scene) = system.scene.in_lanes() else { return false };
+        let Self { t, q, v, a, lambda, smallest_pivot, fixed, .. } = self;
         let pivots = scene.accelerations_in_lanes(fixed, t, q, v, a, lambda);
-        self.counters.evaluations += t.0.len() as u64;
-        let smallest = self.eliminated(pivots);
+        system.counters.evaluations += t.0.len() as u64;
+        let smallest = system.counters.eliminated(pivots);
         *smallest_pivot = smallest.unwrap_or(f64::INFINITY);
         smallest.is_some()
     }

@@ -15,55 +15,74 @@ pub(crate) struct Jump {
     pub set: f64,
 }
 
+/// The inputs of a system that a run integrates.
+pub(crate) struct IntegratedInputs<'s, P: SceneRef> {
+    system: &'s mut System<P>,
+}
+
+/// The inputs as they were set, and the motion of the integrated ones.
+pub(crate) struct KeptInputs {
+    inputs: Vec<f64>,
+    motion: Vec<[f64; 3]>,
+}
+
 impl<P: SceneRef> System<P> {
-    /// Lets integrated inputs move from `t` on, with the present values and rates.
-    pub(crate) fn begin_inputs(&mut self, t: f64) {
-        for (&i, integrated) in self.info.integrated_inputs.iter().zip(&mut self.integrated) {
+    /// The inputs that a run integrates.
+    #[inline]
+    pub(crate) fn integrated_inputs(&mut self) -> IntegratedInputs<'_, P> {
+        IntegratedInputs { system: self }
+    }
+}
+
+impl<P: SceneRef> IntegratedInputs<'_, P> {
+    /// Lets them move from `t` on, with the present values and rates.
+    pub(crate) fn begin(&mut self, t: f64) {
+        let System { info, fixed, integrated, .. } = &mut *self.system;
+        for (&i, integrated) in info.integrated_inputs.iter().zip(integrated) {
             let [value, rate, since] = SceneInfo::integrated_places(i);
-            self.fixed[since] = t;
-            *integrated = [self.fixed[value], self.fixed[rate], t];
+            fixed[since] = t;
+            *integrated = [fixed[value], fixed[rate], t];
         }
     }
 
-    /// The present inputs, and the motion of the integrated ones.
-    pub(crate) fn keep_inputs(&self) -> (Vec<f64>, Vec<[f64; 3]>) {
-        (self.inputs().to_vec(), self.integrated.clone())
+    /// All present inputs, and the motion of these.
+    pub(crate) fn keep(&self) -> KeptInputs {
+        KeptInputs { inputs: self.system.inputs().to_vec(), motion: self.system.integrated.clone() }
     }
 
-    /// Takes back what [`Self::keep_inputs`] gave.
-    pub(crate) fn restore_inputs(&mut self, (inputs, integrated): &(Vec<f64>, Vec<[f64; 3]>)) {
-        self.inputs_mut().copy_from_slice(inputs);
-        self.integrated.copy_from_slice(integrated);
+    /// Takes back what [`Self::keep`] gave.
+    pub(crate) fn restore(&mut self, KeptInputs { inputs, motion }: &KeptInputs) {
+        self.system.inputs_mut().copy_from_slice(inputs);
+        self.system.integrated.copy_from_slice(motion);
     }
 
-    /// Moves value and rate of integrated inputs to `t`, with the acceleration that was set. An input that jumped is left as it is.
-    pub(crate) fn integrate_inputs(&mut self, t: f64) {
-        if self.integrated.is_empty() || self.jump().is_some() {
+    /// Moves value and rate to `t`, with the acceleration that was set. An input that jumped is left as it is.
+    pub(crate) fn integrate(&mut self, t: f64) {
+        if self.system.integrated.is_empty() || self.jump().is_some() {
             return;
         }
-        self.factors.forget();
-        for (&i, integrated) in self.info.integrated_inputs.iter().zip(&mut self.integrated) {
-            *integrated = at(t, &self.fixed, i);
-            SceneInfo::integrated_places(i)
-                .iter()
-                .zip(&*integrated)
-                .for_each(|(&place, part)| self.fixed[place] = *part);
+        let System { info, fixed, integrated, factors, .. } = &mut *self.system;
+        factors.forget();
+        for (&i, integrated) in info.integrated_inputs.iter().zip(integrated) {
+            *integrated = at(t, fixed, i);
+            SceneInfo::integrated_places(i).iter().zip(&*integrated).for_each(|(&place, part)| fixed[place] = *part);
         }
     }
 
-    /// The first integrated input whose value, rate or time was set to something else than its motion.
+    /// The first one whose value, rate or time was set to something else than its motion.
     pub(crate) fn jump(&self) -> Option<Jump> {
-        let inputs = self.info.integrated_inputs.iter().zip(&self.integrated);
+        let System { info, fixed, integrated, .. } = &*self.system;
+        let inputs = info.integrated_inputs.iter().zip(integrated);
         let parts = inputs.flat_map(|(&i, integrated)| SceneInfo::integrated_places(i).into_iter().zip(*integrated));
-        let mut parts = parts.map(|(index, is)| Jump { index, is, set: self.fixed[index] });
+        let mut parts = parts.map(|(index, is)| Jump { index, is, set: fixed[index] });
         parts.find(|jump| jump.is != jump.set)
     }
 
-    /// The inputs with value and rate at `t` of those that are integrated; writes `n_i`.
-    pub(crate) fn inputs_at(&self, t: f64, out: &mut [f64]) {
-        out.copy_from_slice(self.inputs());
-        for &i in self.info.integrated_inputs {
-            let parts = at(t, &self.fixed, i);
+    /// All inputs, with value and rate of these at `t`; writes `n_i`.
+    pub(crate) fn write_at(&self, t: f64, out: &mut [f64]) {
+        out.copy_from_slice(self.system.inputs());
+        for &i in self.system.info.integrated_inputs {
+            let parts = at(t, &self.system.fixed, i);
             SceneInfo::integrated_places(i).iter().zip(parts).for_each(|(&place, part)| out[place] = part);
         }
     }

@@ -10,6 +10,7 @@ mod any;
 mod assembly;
 mod assembly_mode;
 mod configuration;
+mod counters;
 mod diagnosis;
 mod eight_states;
 mod energy;
@@ -43,6 +44,7 @@ mod worst;
 #[cfg(feature = "sweep")]
 pub(crate) use any::check_pivots;
 pub(crate) use any::{Dynamics, Projecting, SystemOf};
+pub(crate) use configuration::Configuration;
 pub(crate) use eight_states::EightStates;
 pub use error::{MotionError, StartError, SystemError};
 #[cfg(feature = "analysis")]

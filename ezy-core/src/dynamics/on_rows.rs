@@ -36,7 +36,7 @@ impl<P: SceneRef> Dynamics<f64> for OnRows<'_, P> {
         on_v.copy_from_slice(v);
         let next = Next { rows: Rows::Held, accelerates: true };
         self.system.projector().project_with(t, on_q, on_v, Projection::Both, Metric::Mass, next)?;
-        self.system.accelerations_unchecked(t, on_q, on_v, a, lambda, Rows::Held).map(|_| ())
+        self.system.at_with(t, on_q, Rows::Held).accelerations(on_v, a, lambda).map(|_| ())
     }
 
     fn position_rates(&self, q: &[f64], v: &[f64], out: &mut [f64]) {
@@ -58,6 +58,6 @@ impl<P: SceneRef> Dynamics<f64> for OnRows<'_, P> {
     }
 
     fn project_onto_null_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
-        self.system.project_onto_null_space(t, q, x).is_ok()
+        self.system.at_with(t, q, Rows::Projected).project_onto_null_space(x).is_ok()
     }
 }

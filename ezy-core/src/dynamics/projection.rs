@@ -83,40 +83,14 @@ impl<P: SceneRef> System<P> {
         self.projector().project_with(t, q, v, projection, metric, Next { rows: Rows::Projected, accelerates: false })
     }
 
-    /// As [`System::project`], for the end of a step whose accelerations are asked for next.
-    #[inline]
-    pub(crate) fn project_end(
-        &mut self,
-        t: f64,
-        q: &mut [f64],
-        v: &mut [f64],
-        projection: Projection,
-        metric: Metric,
-    ) -> Result<Projected, MotionError> {
-        self.projector().project_with(t, q, v, projection, metric, Next { rows: Rows::Projected, accelerates: true })
-    }
-
     /// Largest |C(q, t)| over the position constraints; zero without any.
     pub fn position_residual(&mut self, t: f64, q: &[f64]) -> f64 {
-        self.worst_position(t, q).value
+        self.projector().worst_position(t, q).value
     }
 
     /// Largest residual of all rows at velocity level: C_q v + C_t and S v + s_t.
     pub fn velocity_residual(&mut self, t: f64, q: &[f64], v: &[f64]) -> f64 {
-        self.worst_velocity(t, q, v).value
-    }
-
-    /// The position constraint that is farthest from being met, m or rad.
-    pub(crate) fn worst_position(&mut self, t: f64, q: &[f64]) -> Worst {
-        let residual = &mut self.buffers.residual[..self.info.n_position_rows];
-        self.scene.position_constraint(&self.fixed, t, q, residual);
-        Worst::of(residual)
-    }
-
-    /// The row that is farthest from being met at velocity level, m/s or rad/s.
-    pub(crate) fn worst_velocity(&mut self, t: f64, q: &[f64], v: &[f64]) -> Worst {
-        self.scene.velocity_constraint(&self.fixed, t, q, v, &mut self.buffers.residual);
-        Worst::of(&self.buffers.residual)
+        self.projector().worst_velocity(t, q, v).value
     }
 
     /// Moves `q` onto C = 0 by Gauss–Newton, each pass at the corrected point, and returns the number of passes.
@@ -153,6 +127,34 @@ impl<P: SceneRef> System<P> {
 }
 
 impl<P: SceneRef> Projector<'_, P> {
+    /// The position constraint that is farthest from being met, m or rad.
+    pub(crate) fn worst_position(&mut self, t: f64, q: &[f64]) -> Worst {
+        let System { scene, info, fixed, buffers, .. } = &mut *self.system;
+        let residual = &mut buffers.residual[..info.n_position_rows];
+        scene.position_constraint(fixed, t, q, residual);
+        Worst::of(residual)
+    }
+
+    /// The row that is farthest from being met at velocity level, m/s or rad/s.
+    pub(crate) fn worst_velocity(&mut self, t: f64, q: &[f64], v: &[f64]) -> Worst {
+        let System { scene, fixed, buffers, .. } = &mut *self.system;
+        scene.velocity_constraint(fixed, t, q, v, &mut buffers.residual);
+        Worst::of(&buffers.residual)
+    }
+
+    /// As [`System::project`], for the end of a step whose accelerations are asked for next.
+    #[inline]
+    pub(crate) fn project_end(
+        &mut self,
+        t: f64,
+        q: &mut [f64],
+        v: &mut [f64],
+        projection: Projection,
+        metric: Metric,
+    ) -> Result<Projected, MotionError> {
+        self.project_with(t, q, v, projection, metric, Next { rows: Rows::Projected, accelerates: true })
+    }
+
     /// As [`System::project`], with these rows at the projected positions.
     #[inline]
     pub(super) fn project_with(
@@ -211,7 +213,7 @@ impl<P: SceneRef> Projector<'_, P> {
     fn move_onto_rows(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<([Worst; 2], usize), MotionError> {
         let n_h = self.system.info.n_position_rows;
         body_kind::normalize(&self.system.info.kinds, q);
-        let before = self.system.worst_position(t, q);
+        let before = self.worst_position(t, q);
         let (mut worst, mut passes, mut solved) = (before, 0, Solved::default());
         loop {
             let norm = worst.value;
@@ -239,14 +241,14 @@ impl<P: SceneRef> Projector<'_, P> {
             }
             solved = self.correct_positions(t, q, metric)?;
             passes += 1;
-            worst = self.system.worst_position(t, q);
+            worst = self.worst_position(t, q);
         }
     }
 
     /// Whether only redundant rows leave a part of the residual in the buffer: they contradict the others then.
     fn independent_rows_are_met(&mut self, t: f64, q: &[f64]) -> bool {
         let n_h = self.system.info.n_position_rows;
-        let Some(rank) = self.system.rank_at(t, q, Independent::Above(INDEPENDENT)) else { return true };
+        let Some(rank) = self.system.at(t, q).rank(Independent::Above(INDEPENDENT)) else { return true };
         let rows: Vec<usize> = rank.independent_rows().iter().copied().filter(|row| *row < n_h).collect();
         let extent = self.system.geometry.extent(q);
         rows.iter()
@@ -274,7 +276,7 @@ impl<P: SceneRef> Projector<'_, P> {
     }
 
     fn polish_positions_in(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<(), MotionError> {
-        self.system.worst_position(t, q);
+        self.worst_position(t, q);
         self.correct_positions(t, q, metric).map(|_| ())
     }
 
@@ -302,7 +304,7 @@ impl<P: SceneRef> Projector<'_, P> {
     ) -> Result<(Worst, Solved), MotionError> {
         let accelerates =
             next.accelerates && metric == Metric::Mass && self.system.at_with(t, q, next.rows).may_eliminate();
-        if accelerates && let Some(smallest) = self.system.eliminate_ahead(t, q, v) {
+        if accelerates && let Some(smallest) = self.eliminate_ahead(t, q, v) {
             let (residual, projected) = self.system.factors.ahead.velocities();
             self.system.buffers.delta.iter_mut().zip(v).zip(projected).for_each(|((delta, v), projected)| {
                 *delta = projected - *v;
@@ -310,7 +312,7 @@ impl<P: SceneRef> Projector<'_, P> {
             });
             return Ok((Worst::of(residual), Solved::regular(smallest)));
         }
-        let worst = self.system.worst_velocity(t, q, v);
+        let worst = self.worst_velocity(t, q, v);
         let solved = if accelerates {
             self.correct_by_factors(t, q, metric, next.rows)?
         } else {
@@ -321,13 +323,24 @@ impl<P: SceneRef> Projector<'_, P> {
         Ok((worst, solved))
     }
 
+    /// The projected velocities and the accelerations there, by one elimination of the scene; what is found is kept. Returns the smallest
+    /// pivot; none where one vanished.
+    #[inline]
+    fn eliminate_ahead(&mut self, t: f64, q: &[f64], v: &[f64]) -> Option<f64> {
+        let System { scene, fixed, factors, counters, .. } = &mut *self.system;
+        let pivots = scene.projected_accelerations(fixed, t, q, v, factors.ahead.begin());
+        let smallest = counters.eliminated(pivots)?;
+        factors.ahead.keep(t, q, smallest);
+        Some(smallest)
+    }
+
     /// Correction for the residual in the buffer, into the buffer.
     #[inline]
     pub(super) fn correct(&mut self, t: f64, q: &[f64], metric: Metric, rows: Rows) -> Result<Solved, MotionError> {
         if metric == Metric::Mass && self.system.at_with(t, q, rows).may_eliminate() {
-            let System { scene, fixed, buffers, .. } = &mut *self.system;
+            let System { scene, fixed, buffers, counters, .. } = &mut *self.system;
             let pivots = scene.correction(fixed, t, q, &buffers.residual, &mut buffers.delta);
-            if let Some(smallest) = self.system.eliminated(pivots) {
+            if let Some(smallest) = counters.eliminated(pivots) {
                 return Ok(Solved::regular(smallest));
             }
         }

@@ -70,7 +70,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
     /// other, whatever the masses are. Masses far apart make small pivots of G M⁻¹ Gᵀ everywhere, and no position singular.
     /// `None` in a system too large to tell. Slow.
     pub(crate) fn independence(&mut self, t: f64, q: &[f64]) -> Option<f64> {
-        self.system.pivot_of_rows(t, q)
+        self.system.at(t, q).pivot_of_rows()
     }
 
     /// What to say when a motion cannot be continued from a state: where constraints nearly depend on each other, that they do.
@@ -81,7 +81,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
             return cause;
         }
         let smallest_pivot = self.independence(t, q);
-        let near = self.system.rank_at(t, q, Independent::Above(NEARLY_DEPENDENT));
+        let near = self.system.at(t, q).rank(Independent::Above(NEARLY_DEPENDENT));
         match near.map(|rank| rank.dependencies()).filter(|found| found.n > 0) {
             None => cause,
             Some(found) => MotionError::LockedUp {
@@ -95,10 +95,10 @@ impl<P: SceneRef> Diagnosis<'_, P> {
 
     /// As [`System::rank_loss`].
     pub(super) fn rank_loss(&mut self, t: f64, q: &[f64]) -> RankLoss {
-        let (info, [_, n_rows]) = (Arc::clone(&self.system.info), self.system.n_rows_on());
+        let (info, [_, n_rows]) = (Arc::clone(&self.system.info), self.system.active.n_on());
         let n_coordinates = info.n_velocities();
         let name = |i: usize| info.rows[i].name.clone();
-        match self.system.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.dependencies()) {
+        match self.system.at(t, q).rank(Independent::Above(INDEPENDENT)).map(|rank| rank.dependencies()) {
             Some(found) => {
                 let rows = found.rows.into_iter().map(name).collect();
                 RankLoss { n_coordinates, n_rows, n_redundant: Some(found.n), rows }
@@ -147,7 +147,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
         }
         let (rows, residual) = (self.rank_loss(t, q).rows, left.rows / left.scale);
         // next to a singular position of the independent rows it is rounding by which redundant ones differ
-        let near = self.system.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.smallest_pivot());
+        let near = self.system.at(t, q).rank(Independent::Above(INDEPENDENT)).map(|rank| rank.smallest_pivot());
         match near.filter(|pivot| *pivot <= NEARLY_DEPENDENT) {
             Some(pivot) => Err(MotionError::LostInRounding { t, rows, smallest_pivot: Some(pivot * pivot), residual }),
             None => Err(self.disagreement(t, q, level, residual, tolerance)),

@@ -23,12 +23,12 @@ impl<P: SceneRef> System<P> {
                 [_, true] => Rows::Held,
                 _ => Rows::Exact,
             };
-            let (counters, least_pivot) = (self.counters, self.least_pivot);
+            let counters = self.counters;
             self.factors.forget();
             if t.is_finite() && self.at_with(t, &q, rows).factor().is_err() {
                 self.factors.forget();
             }
-            (self.counters, self.least_pivot) = (counters, least_pivot);
+            self.counters = counters;
         }
         self.factors.ahead.remember(archive);
     }

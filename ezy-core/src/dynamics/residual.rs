@@ -1,6 +1,7 @@
 //! What accelerations and multipliers that are not the solution leave of the equations of motion.
 
 use super::System;
+use super::configuration::Configuration;
 use crate::model::{Derived as _, Equations as _, JacobianPlaces, Scene, SceneInfo, SceneRef};
 
 /// Row and column of each entry of [`Jacobians`].
@@ -20,7 +21,7 @@ impl ResidualPlaces {
     }
 }
 
-/// Jacobians of [`System::residual`] in the order of [`ResidualPlaces`], and G at the same state.
+/// Jacobians of [`Configuration::residual`] in the order of [`ResidualPlaces`], and G at the same state.
 #[derive(Debug, Clone)]
 pub(crate) struct Jacobians {
     /// R_q.
@@ -46,25 +47,16 @@ impl Jacobians {
     }
 }
 
-impl<P: SceneRef> System<P> {
+impl<P: SceneRef> Configuration<'_, P> {
     /// `R = [F − M a − Gᵀ λ; −(G a + [h; s]); r − z']` (`n_q + n_c + n_z`), which vanishes at the accelerations, multipliers and `rates` z' of a
     /// state; r are the rates of the first-order states that were set.
     ///
     /// # Cost
     /// Less than that of the accelerations; no factorisation, no allocation.
-    #[expect(clippy::too_many_arguments, reason = "the variables of R")]
-    pub(crate) fn residual(
-        &mut self,
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        lambda: &[f64],
-        rates: &[f64],
-        out: &mut [f64],
-    ) {
-        self.counters.evaluations += 1;
-        let Self { scene, info, fixed, mass, buffers, .. } = self;
+    pub(crate) fn residual(&mut self, v: &[f64], a: &[f64], lambda: &[f64], rates: &[f64], out: &mut [f64]) {
+        let (t, q) = (self.t, self.q);
+        let System { scene, info, fixed, mass, buffers, counters, .. } = &mut *self.system;
+        counters.evaluations += 1;
         let (forces, rest) = out.split_at_mut(q.len());
         let (rows, states) = rest.split_at_mut(lambda.len());
         scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
@@ -88,10 +80,10 @@ impl<P: SceneRef> System<P> {
         }
     }
 
-    /// Jacobians of [`System::residual`] at fixed accelerations and multipliers, and G. Where a law has no derivative, such as `norm(v)` at rest,
+    /// Jacobians of [`Configuration::residual`] at fixed accelerations and multipliers, and G. Where a law has no derivative, such as `norm(v)` at rest,
     /// entries are zero: a method that solves by Jacobians checks its solution by the residual.
-    pub(crate) fn jacobians(&self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut Jacobians) {
-        let Self { scene, fixed, .. } = self;
+    pub(crate) fn jacobians(&self, v: &[f64], a: &[f64], lambda: &[f64], out: &mut Jacobians) {
+        let (t, q, System { scene, fixed, .. }) = (self.t, self.q, &*self.system);
         scene.jacobians(fixed, t, q, v, a, lambda, &mut out.by_q, &mut out.by_v);
         scene.velocity_jacobian(fixed, t, q, &mut out.jacobian);
         if !out.by_z.is_empty() {
@@ -99,10 +91,5 @@ impl<P: SceneRef> System<P> {
         }
         let Jacobians { by_q, by_v, by_z, .. } = out;
         by_q.iter_mut().chain(by_v).chain(by_z).filter(|entry| !entry.is_finite()).for_each(|entry| *entry = 0.0);
-    }
-
-    /// A factorisation that a method makes by itself counts like those of K.
-    pub(crate) fn count_factorization(&mut self) {
-        self.counters.factorizations += 1;
     }
 }

@@ -39,9 +39,10 @@ impl<P: SceneRef> Diagnosis<'_, P> {
             return Ok(());
         }
         let left = self.with_rows_of(*t, q, |system| {
-            system.projector().polish_positions(t + s, &mut there)?;
-            system.worst_velocity(t + s, &there, &velocities);
-            system.projector().correct(t + s, &there, Metric::Mass, Rows::Held).map(|solved| solved.left)
+            let mut projector = system.projector();
+            projector.polish_positions(t + s, &mut there)?;
+            projector.worst_velocity(t + s, &there, &velocities);
+            projector.correct(t + s, &there, Metric::Mass, Rows::Held).map(|solved| solved.left)
         })?;
         let size = self.system.geometry.units.iter().zip(&velocities).map(|(unit, v)| (unit * v).abs());
         let share = left.rows / size.fold(left.scale, f64::max);
@@ -56,12 +57,12 @@ impl<P: SceneRef> Diagnosis<'_, P> {
     #[cold]
     pub(super) fn is_singular_position(&mut self, t: f64, q: &[f64]) -> bool {
         let here =
-            self.system.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| (rank.rank(), rank.n_redundant()));
+            self.system.at(t, q).rank(Independent::Above(INDEPENDENT)).map(|rank| (rank.rank(), rank.n_redundant()));
         let Some((rank, 1..)) = here else { return false };
         // a direction without symmetry
         let units = self.system.geometry.units.iter().enumerate();
         let mut way: Vec<f64> = units.map(|(i, unit)| ((i + 1) as f64 * GOLDEN_RATIO).fract() / unit).collect();
-        if self.system.project_onto_null_space(t, q, &mut way).is_err() {
+        if self.system.at_with(t, q, Rows::Projected).project_onto_null_space(&mut way).is_err() {
             return false;
         }
         let share = BESIDE / self.system.geometry.extent_of_velocities(&way);
@@ -70,7 +71,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
         self.system.retract(&mut there, &way);
         // of an error of 1e-6 one correction leaves 1e-12
         let corrected = self.with_rows_of(t, q, |system| system.projector().polish_positions(t, &mut there));
-        let beside = self.system.rank_at(t, &there, Independent::Above(INDEPENDENT)).map(|rank| rank.rank());
+        let beside = self.system.at(t, &there).rank(Independent::Above(INDEPENDENT)).map(|rank| rank.rank());
         corrected.is_ok() && beside.is_some_and(|beside| beside > rank)
     }
 
@@ -94,7 +95,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
     /// Holds the rows that are independent at a configuration, for as long as `ask` runs.
     fn with_rows_of<T>(&mut self, t: f64, q: &[f64], ask: impl FnOnce(&mut System<P>) -> T) -> T {
         let held = std::mem::take(&mut self.system.active.held);
-        self.system.hold_rows(t, q, true);
+        self.system.at(t, q).hold_rows(true);
         let answer = ask(self.system);
         self.system.active.held = held;
         self.system.factors.forget();

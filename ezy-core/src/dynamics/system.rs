@@ -2,6 +2,7 @@
 
 use super::SystemError;
 use super::active_set::ActiveSet;
+use super::counters::Counters;
 use super::euclidean::Euclidean;
 use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
@@ -30,21 +31,10 @@ pub struct System<P: SceneRef> {
     pub(super) solver: Solver,
     pub(super) active: ActiveSet,
     pub(super) factors: Factors,
-    /// The least pivot since someone asked.
-    pub(super) least_pivot: f64,
     /// Made at the first Euclidean correction.
     pub(super) euclidean: Option<Box<Euclidean>>,
     pub(super) buffers: Buffers,
     pub(super) counters: Counters,
-}
-
-/// Work done since construction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Counters {
-    /// Evaluations of the accelerations.
-    pub evaluations: u64,
-    /// Factorisations of K, or runs of a generated elimination, for accelerations and corrections.
-    pub factorizations: u64,
 }
 
 pub(super) struct Buffers {
@@ -115,13 +105,12 @@ impl<P: SceneRef> System<P> {
             geometry,
             active,
             factors: Factors::new([n_q, n_v], n_c, jacobian.clone()),
-            least_pivot: 1.0,
             fixed,
             integrated,
             mass,
             euclidean: None,
             buffers: Buffers { jacobian, sums: vec![0.0; n_c], residual: vec![0.0; n_c], delta: vec![0.0; n_v] },
-            counters: Counters::default(),
+            counters: Counters::new(),
             info,
         })
     }
@@ -202,15 +191,9 @@ impl<P: SceneRef> System<P> {
         &self.mass
     }
 
-    /// The least [`Solved::smallest_pivot`](super::Solved) since this was asked before: at ends and stages of steps, also of those that
-    /// were taken back.
-    pub(crate) fn take_least_pivot(&mut self) -> f64 {
-        std::mem::replace(&mut self.least_pivot, 1.0)
-    }
-
-    /// Work done so far.
-    pub(crate) fn counters(&self) -> Counters {
-        self.counters
+    /// Work done so far, and what a method adds.
+    pub(crate) fn counters(&mut self) -> &mut Counters {
+        &mut self.counters
     }
 }
 

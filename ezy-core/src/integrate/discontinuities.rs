@@ -17,7 +17,7 @@ use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, 
 use super::tolerances::steps::SHORTEST;
 use crate::archive::Archive;
 use crate::dynamics::{Rows, State, System};
-use crate::model::{EventKind, SceneInfo, SceneRef};
+use crate::model::{Derived as _, EventKind, SceneInfo, SceneRef};
 
 /// A step that ends at a discontinuity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,7 +149,7 @@ impl EventDiscontinuities {
         }
         let Self { places, values: [before, after, inside], q_rate, a, rate, lambda, between, .. } = self;
         system.place_states(&end.z);
-        system.accelerations_unchecked(end.t, &end.q, &end.v, a, lambda, Rows::Held).ok()?;
+        system.at_with(end.t, &end.q, Rows::Held).accelerations(&end.v, a, lambda).ok()?;
         system.state_rates(end.t, &end.q, &end.v, rate);
         system.position_rates(&end.q, &end.v, q_rate);
         let (start, last) = (from.state.t, end.t);
@@ -289,7 +289,7 @@ fn follow(from: Node<'_>, t: f64, out: &mut State) {
 /// Event functions at a state.
 fn events<P: SceneRef>(system: &mut System<P>, at: &State, out: &mut [f64]) {
     system.place_states(&at.z);
-    system.events(at.t, &at.q, &at.v, out);
+    system.scene().events(system.fixed(), at.t, &at.q, &at.v, out);
 }
 
 #[cfg(test)]

@@ -95,7 +95,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
                 }
             }
         }
-        system.begin_inputs(start_s);
+        system.integrated_inputs().begin(start_s);
         Ok(control)
     }
 
@@ -161,7 +161,7 @@ impl Settings {
                 system.inputs_mut()[i] = value;
             }
         }
-        system.begin_inputs(start.t);
+        system.integrated_inputs().begin(start.t);
         let state = system.consistent_start(&start)?;
         Ok((system, start, state))
     }

@@ -122,20 +122,21 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
             events.extend(modes.occurred);
             events.sort_by(|a, b| a.state.t.total_cmp(&b.state.t));
         }
-        let StepperState { system, now, .. } = &self.stepper;
-        let monitors = self.watch.monitors(system.work_of_rounding(&now.lambda));
+        let rounding_j = self.stepper.system.diagnosis().work_of_rounding(&self.stepper.now.lambda);
+        let monitors = self.watch.monitors(rounding_j);
         if let Some(energy) = monitors.energy
             && outcome.reached_end()
             && !self.watch.trusts(energy, self.stepper.chooses_steps())
         {
             let [_, step_s] = monitors.steps_s.unwrap_or_default();
-            outcome = Outcome::Untrusted { t: now.state.t, step_s, energy };
+            outcome = Outcome::Untrusted { t: self.stepper.now.state.t, step_s, energy };
         }
         let Sampler { info, record, .. } = self.samples.sampler;
         if outcome.reached_end()
             && let Some((column, value)) = record.no_number_at_end()
         {
-            outcome = Outcome::Stopped { t: now.state.t, reason: StopReason::NoNumber { column, value }, strain: None };
+            let t = self.stepper.now.state.t;
+            outcome = Outcome::Stopped { t, reason: StopReason::NoNumber { column, value }, strain: None };
         }
         let rank = self.rank;
         Ok(Run { outcome, cost, monitors, rank, moved, stiff_since_s, error_estimate: None, info, events, record })

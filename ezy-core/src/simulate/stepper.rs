@@ -228,7 +228,7 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
                 // from a discontinuity on
                 h = t_next - self.stepper.now.state.t;
             }
-            self.stepper.system.integrate_inputs(self.stepper.now.state.t);
+            self.stepper.system.integrated_inputs().integrate(self.stepper.now.state.t);
             self.n_steps += 1;
         }
         Ok(())
@@ -236,7 +236,7 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
 
     fn evaluate(&mut self) -> Result<(), MotionError> {
         if !self.evaluated {
-            check_inputs(self.stepper.now.state.t, &self.stepper.system)?;
+            check_inputs(self.stepper.now.state.t, &mut self.stepper.system)?;
             self.stepper.evaluate_now()?;
             if self.n_steps == 0 && self.stepper.now.state.t == self.start_s {
                 self.stepper.check_beginning(f64::INFINITY)?;

@@ -36,6 +36,7 @@ mod local_order;
 mod long_runs;
 mod massless;
 mod massless_links;
+mod methods;
 mod monitors;
 mod moving_pictures;
 mod names;

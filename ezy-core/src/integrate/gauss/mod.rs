@@ -184,7 +184,7 @@ impl Gauss {
 
     fn begin<P: SceneRef>(&mut self, system: &System<P>, from: Node<'_>, h: f64, tolerance: Tolerance) {
         let Self { nodes, last, last_sizes, last_s, tried_s, weights, work_weights, .. } = self;
-        system.begin_eight(nodes);
+        nodes.begin(system);
         nodes.t = NODES.fused(Eight::from_f64(h), Eight::from_f64(from.state.t));
         *tried_s = Some(h);
         match last_s {
@@ -213,7 +213,7 @@ impl Gauss {
             lanes::integrate(h, &from.v, &nodes.a, &mut nodes.v);
             lanes::integrate_some(h, &from.q, &nodes.v, feedback, &mut nodes.q);
             std::mem::swap(before, &mut nodes.a);
-            system.accelerations_of_eight(nodes)?;
+            nodes.accelerate(system)?;
             let change = lanes::change(&nodes.a, before, weights);
             if !change.is_finite() {
                 return Ok(None);

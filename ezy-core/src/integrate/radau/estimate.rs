@@ -75,7 +75,7 @@ impl Radau {
         z.copy_from_slice(&start.z);
         add_combination(&UNSEEN_INTEGRALS.map(|weight| h * weight), &stages.rates, z);
         system.place_states(z);
-        system.residual(start.t + UNSEEN * h, q, v, a, lambda, rates, solution);
+        system.at(start.t + UNSEEN * h, q).residual(v, a, lambda, rates, solution);
         let residual = size_of_forces(solution, system.mass_matrix(), weights);
         matrices.solve_real(solution);
         for ((q, v), alpha) in second.q.iter_mut().zip(&mut second.v).zip(&*solution) {
@@ -107,10 +107,10 @@ impl Radau {
         let Self { stages, matrices, jacobians, second_error: second, solution, .. } = self;
         let end = N_STAGES - 1;
         system.place_states(&to.z);
-        system.jacobians(to.t, &to.q, &to.v, &stages.a[end], &stages.lambda[end], jacobians);
+        system.at(to.t, &to.q).jacobians(&to.v, &stages.a[end], &stages.lambda[end], jacobians);
         matrices.write(system.mass_matrix(), jacobians);
         self.fresh = false;
-        system.count_factorization();
+        system.counters().factorizations += 1;
         if !matrices.factor_real(h) {
             return f64::INFINITY;
         }

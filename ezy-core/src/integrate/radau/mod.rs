@@ -279,16 +279,17 @@ impl Radau {
                 stages.write_state(i, start, [q, v, z]);
                 system.place_states(z);
                 let (t, a, lambda) = (start.t + c * h, &stages.a[i], &stages.lambda[i]);
-                system.residual(t, q, v, a, lambda, &stages.rates[i], &mut newton.residual[i]);
+                let mut at = system.at(t, q);
+                at.residual(v, a, lambda, &stages.rates[i], &mut newton.residual[i]);
                 if let Some(coupled) = &mut coupled {
-                    system.jacobians(t, q, v, a, lambda, &mut coupled.jacobians);
+                    at.jacobians(v, a, lambda, &mut coupled.jacobians);
                     coupled.write(i, h, system.mass_matrix());
                 }
             }
             let change = match &mut coupled {
                 None => self.newton.improve(&mut self.matrices, &mut self.stages, h, &self.weights),
                 Some(coupled) => {
-                    system.count_factorization();
+                    system.counters().factorizations += 1;
                     coupled.improve(&self.newton.residual, &mut self.stages, h, &self.weights)
                 }
             };
@@ -363,14 +364,14 @@ impl Radau {
         match self.before_s {
             Some(before_s) => {
                 self.stages.extrapolate(&self.before, h / before_s);
-                if system.holds_rows() {
+                if system.active().leaves_out_redundant() {
                     // nothing fixes their part in the null space of Gᵀ, which extrapolation would make grow from step to step
-                    system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
+                    system.at_with(*t, q, Rows::Projected).accelerations(v, &mut self.a, &mut self.lambda)?;
                     self.stages.hold_multipliers(&self.lambda);
                 }
             }
             None => {
-                system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
+                system.at_with(*t, q, Rows::Projected).accelerations(v, &mut self.a, &mut self.lambda)?;
                 self.stages.hold(&self.a, &self.lambda, from.rate);
             }
         }
@@ -391,11 +392,11 @@ impl Radau {
                 None => (&self.stages.a[N_STAGES - 1], &self.stages.lambda[N_STAGES - 1]),
             };
             system.place_states(&start.z);
-            system.jacobians(start.t, &start.q, &start.v, a, lambda, &mut self.jacobians);
+            system.at(start.t, &start.q).jacobians(&start.v, a, lambda, &mut self.jacobians);
             self.matrices.write(system.mass_matrix(), &self.jacobians);
             self.fresh = true;
         }
-        system.count_factorization();
+        system.counters().factorizations += 1;
         self.matrices.factor(h)
     }
 }

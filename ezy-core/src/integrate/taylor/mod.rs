@@ -10,7 +10,7 @@ mod work;
 
 use super::{Tolerance, compensated};
 use crate::archive::Archive;
-use crate::dynamics::{MotionError, Solved, State, System};
+use crate::dynamics::{Configuration, MotionError, Rows, Solved, State, System};
 use crate::model::{Derived as _, Scene, SceneRef, Series, SeriesStore};
 use expansion::{OrderSolver, expand, expand_with, increment, second_derivative};
 use states::States;
@@ -102,13 +102,14 @@ impl Taylor {
         let scene = system.scene_ref().clone();
         let without = || MotionError::NotFinite { t: from.t, quantity: "the series of a scene without one".into() };
         let series = scene.series().ok_or_else(without)?;
-        let solved = match system.begin_series(series, from.t, &mut self.next)? {
+        let mut at = system.at_with(from.t, &from.q, Rows::Projected);
+        let solved = match at.begin_series(series, &mut self.next)? {
             Some(smallest) => {
-                self.expand_by_elimination(series, system.fixed());
+                self.expand_by_elimination(series, at.fixed());
                 Solved::regular(smallest)
             }
             None => {
-                let mut orders = FactoredOrders { system, first: None };
+                let mut orders = FactoredOrders { at, first: None };
                 expand_with(series, &mut orders, self.order, &mut self.next);
                 orders.first.unwrap_or_default()
             }
@@ -212,22 +213,22 @@ impl Taylor {
     }
 }
 
-/// All orders by the factors of a system.
+/// All orders by the factors of a configuration.
 struct FactoredOrders<'m, P: SceneRef> {
-    system: &'m mut System<P>,
+    at: Configuration<'m, P>,
     /// How accelerations were solved for.
     first: Option<Solved>,
 }
 
 impl<P: SceneRef> OrderSolver<f64> for FactoredOrders<'_, P> {
     fn fixed(&self) -> &[f64] {
-        self.system.fixed()
+        self.at.fixed()
     }
 
     fn solve(&mut self, k: usize, store: &mut SeriesStore<f64>) {
         let SeriesStore { lambda, force, row, a, .. } = store;
         let n_c = row.len();
-        let solved = self.system.solve_factored(force, row, a, &mut lambda[k * n_c..][..n_c]);
+        let solved = self.at.solve(force, row, a, &mut lambda[k * n_c..][..n_c]);
         self.first.get_or_insert(solved);
     }
 }

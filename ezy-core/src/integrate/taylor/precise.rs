@@ -3,7 +3,7 @@
 use super::expansion::{OrderSolver, expand, expand_with, increment};
 use super::length::{longest_step, write_weights};
 use super::states::States;
-use crate::dynamics::{MotionError, State, System, SystemError, not_finite};
+use crate::dynamics::{MotionError, Rows, State, System, SystemError, not_finite};
 use crate::integrate::Tolerance;
 use crate::linalg::Backend;
 use crate::model::{Pivots, PreciseScene, Scene, SceneRef, SeriesStore};
@@ -144,6 +144,7 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
                 rest: zeros(n_q + n_c),
                 rest_f64: vec![0.0; n_q + n_c],
                 solution: vec![0.0; n_q + n_c],
+                t: f64::NAN,
                 q: vec![0.0; n_q],
             },
             store: SeriesStore::new(precise.series_size(), ORDER + 1),
@@ -290,6 +291,8 @@ struct Refined<'s, P: SceneRef> {
     rest: Vec<DoubleDouble>,
     rest_f64: Vec<f64>,
     solution: Vec<f64>,
+    /// Where K was factored.
+    t: f64,
     q: Vec<f64>,
 }
 
@@ -302,7 +305,8 @@ impl<P: SceneRef> Refined<'_, P> {
     fn factorize(&mut self, t: f64, q: &[DoubleDouble]) -> Result<(), MotionError> {
         self.scene.velocity_jacobian(&self.fixed, t.into(), q, &mut self.jacobian);
         self.q.iter_mut().zip(q).for_each(|(near, q)| *near = q.high());
-        self.system.factorize(t, &self.q)
+        self.t = t;
+        self.system.at_with(t, &self.q, Rows::Projected).factor()
     }
 
     /// K⁻¹ of the rest in f64, into the solution.
@@ -311,7 +315,7 @@ impl<P: SceneRef> Refined<'_, P> {
         self.rest_f64.iter_mut().zip(&self.rest).for_each(|(near, rest)| *near = rest.high());
         let (force, row) = self.rest_f64.split_at(n_q);
         let (a, lambda) = self.solution.split_at_mut(n_q);
-        self.system.solve_factored(force, row, a, lambda);
+        self.system.at_with(self.t, &self.q, Rows::Projected).solve(force, row, a, lambda);
     }
 
     fn correct(&mut self, residual: &[DoubleDouble], delta: &mut [DoubleDouble]) {

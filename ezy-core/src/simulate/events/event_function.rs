@@ -1,7 +1,8 @@
 //! The event functions.
 
+use super::laws;
 use crate::dynamics::{MotionError, Rows, State, System};
-use crate::model::{SceneRef, StickSlipInfo, StopInfo};
+use crate::model::{Derived as _, SceneRef, StickSlipInfo, StopInfo};
 
 /// What is located.
 pub(in crate::simulate) enum EventFunction {
@@ -28,22 +29,22 @@ impl EventFunction {
         let t = *t;
         system.place_states(z);
         match self {
-            Self::Events => system.events(t, q, v, out),
+            Self::Events => system.scene().events(system.fixed(), t, q, v, out),
             Self::Reserve { info, a, lambda } => {
-                system.accelerations_unchecked(t, q, v, a, lambda, Rows::Projected)?;
-                let [limit, _] = system.checked_stick_slip(info, t, q, v)?;
+                system.at_with(t, q, Rows::Projected).accelerations(v, a, lambda)?;
+                let [limit, _] = laws::stick_slip(system, info, t, q, v)?;
                 out.fill(limit - lambda[info.row].abs());
             }
             Self::Slide { info, side } => {
-                let [_, velocity] = system.checked_stick_slip(info, t, q, v)?;
+                let [_, velocity] = laws::stick_slip(system, info, t, q, v)?;
                 out.fill(*side * velocity);
             }
             Self::Gaps { info, values } => {
-                system.checked_stop(info, t, q, v, values)?;
+                laws::stop(system, info, t, q, v, values)?;
                 out.iter_mut().zip(values.iter().step_by(2)).for_each(|(out, gap)| *out = *gap);
             }
             Self::Push { row, side, a, lambda } => {
-                system.accelerations_unchecked(t, q, v, a, lambda, Rows::Projected)?;
+                system.at_with(t, q, Rows::Projected).accelerations(v, a, lambda)?;
                 out.fill(-*side * lambda[*row]);
             }
         }

@@ -5,6 +5,7 @@
 
 mod double_root;
 mod event_function;
+pub(super) mod laws;
 mod step_samples;
 
 use super::stepping::stepper_state::StepperState;

@@ -60,7 +60,7 @@ impl Control<'_> {
     ) -> Result<(), MotionError> {
         system.place_states(&state.z);
         let t = state.t;
-        system.integrate_inputs(t);
+        system.integrated_inputs().integrate(t);
         let inputs = system.inputs_mut();
         for (i, table) in &self.tables {
             inputs[*i] = table.at(t + 0.5 * h);
@@ -73,11 +73,11 @@ impl Control<'_> {
 }
 
 /// An error with the name of the first input that is not finite, or that a run integrates and that jumped.
-pub(in crate::simulate) fn check_inputs<P: SceneRef>(t: f64, system: &System<P>) -> Result<(), MotionError> {
+pub(in crate::simulate) fn check_inputs<P: SceneRef>(t: f64, system: &mut System<P>) -> Result<(), MotionError> {
     let named = system.info().inputs.iter().zip(system.inputs());
     match named.into_iter().find(|(_, value)| !value.is_finite()) {
         Some((input, &value)) => Err(MotionError::InputNotFinite { t, name: input.name, value }),
-        None => match system.jump() {
+        None => match system.integrated_inputs().jump() {
             Some(jump) => Err(jumps(t, system, jump)),
             None => Ok(()),
         },

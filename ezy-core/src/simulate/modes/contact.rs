@@ -7,9 +7,9 @@
 use super::Modes;
 use crate::dynamics::{MotionError, System, SystemRow};
 use crate::integrate::resolution_at;
-use crate::model::{EventInfo, SceneRef, StopInfo};
+use crate::model::{Derived as _, EventInfo, SceneRef, StopInfo};
 use crate::simulate::SetupError;
-use crate::simulate::events::EventFunction;
+use crate::simulate::events::{EventFunction, laws};
 use crate::simulate::stepping::stepper_state::StepperState;
 use crate::simulate::tolerances::modes::{LOWEST_FLIGHT, SHORTEST_FLIGHT};
 
@@ -65,7 +65,7 @@ pub(super) fn fault<P: SceneRef>(
         let ends = 0..info.hits.len();
         ends.map(|end| check_rate(info, end, t, values[2 * end + 1])).find_map(Result::err)
     };
-    system.checked_stop(info, t, q, v, &mut values).err().or_else(|| rates(&values))
+    laws::stop(system, info, t, q, v, &mut values).err().or_else(|| rates(&values))
 }
 
 /// Switches of a mode: whether the row holds, and its side.
@@ -163,7 +163,8 @@ fn flight_is_too_short<P: SceneRef>(info: &StopInfo, end: usize, stepper: &mut S
         return false;
     }
     let mut values = vec![0.0; n_values(info)];
-    stepper.system.stop(state.t, &state.q, &state.v, &mut values);
+    let system = &stepper.system;
+    system.scene().stop(system.fixed(), state.t, &state.q, &state.v, &mut values);
     let rate = values[2 * end + 1];
     let (length_s, height) = (2.0 * rate.abs() / fall, 0.5 * rate * rate / fall);
     let shortest_s = SHORTEST_FLIGHT * resolution_at(state.t);
@@ -173,7 +174,7 @@ fn flight_is_too_short<P: SceneRef>(info: &StopInfo, end: usize, stepper: &mut S
 /// The nearest end.
 fn nearest<P: SceneRef>(info: &StopInfo, stepper: &StepperState<P>) -> Result<Contact, MotionError> {
     let (state, mut values) = (&stepper.now.state, vec![0.0; n_values(info)]);
-    stepper.system.checked_stop(info, state.t, &state.q, &state.v, &mut values)?;
+    laws::stop(&stepper.system, info, state.t, &state.q, &state.v, &mut values)?;
     let gap = |end: &usize| values[2 * end];
     let ends = 0..info.hits.len();
     let end = ends.min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or_default();

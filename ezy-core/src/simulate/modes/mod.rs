@@ -4,7 +4,7 @@ mod contact;
 mod stick_slip;
 
 use super::SetupError;
-use super::events::{EventDetector, Occurrence};
+use super::events::{EventDetector, Occurrence, laws};
 use super::stepping::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::resolution_at;
@@ -233,7 +233,7 @@ impl Modes {
 pub(super) fn fault_of_law<P: SceneRef>(system: &System<P>, t: f64, q: &[f64], v: &[f64]) -> Option<MotionError> {
     let info = system.info();
     match (info.stick_slip, info.stop) {
-        (Some(skate), _) => system.checked_stick_slip(skate, t, q, v).err(),
+        (Some(skate), _) => laws::stick_slip(system, skate, t, q, v).err(),
         (_, Some(stop)) => contact::fault(stop, system, t, q, v),
         _ => None,
     }

@@ -3,7 +3,7 @@
 use super::Modes;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, SceneRef, StickSlipInfo};
-use crate::simulate::events::EventFunction;
+use crate::simulate::events::{EventFunction, laws};
 use crate::simulate::stepping::stepper_state::StepperState;
 
 const HOLDS: usize = 0;
@@ -76,5 +76,5 @@ fn reaction<P: SceneRef>(info: &StickSlipInfo, stepper: &StepperState<P>) -> f64
 
 fn limit<P: SceneRef>(info: &StickSlipInfo, stepper: &StepperState<P>) -> Result<f64, MotionError> {
     let state = &stepper.now.state;
-    Ok(stepper.system.checked_stick_slip(info, state.t, &state.q, &state.v)?[0])
+    Ok(laws::stick_slip(&stepper.system, info, state.t, &state.q, &state.v)?[0])
 }

@@ -45,7 +45,7 @@ impl ConditionWatch {
     /// None for a scene without rows or one that is too large.
     pub(super) fn new<P: SceneRef>(system: &mut System<P>, start: &State) -> Option<Box<Self>> {
         let info = system.info();
-        let (n, n_rows) = (info.n_unknowns(), system.n_rows_on()[1]);
+        let (n, n_rows) = (info.n_unknowns(), system.active().n_on()[1]);
         if n_rows == 0 || n > LARGEST_WATCHED {
             return None;
         }
@@ -59,7 +59,7 @@ impl ConditionWatch {
 
     /// Estimates after step `n_steps` when it is due, or at the end; only with the constraints of the start.
     pub(super) fn look<P: SceneRef>(&mut self, system: &mut System<P>, state: &State, n_steps: u64, last: bool) {
-        if !last && !n_steps.is_multiple_of(self.n_between) || system.n_rows_on()[1] != self.n_rows {
+        if !last && !n_steps.is_multiple_of(self.n_between) || system.active().n_on()[1] != self.n_rows {
             return;
         }
         let found = system.diagnosis().conditioning(state.t, &state.q, &mut self.estimator);

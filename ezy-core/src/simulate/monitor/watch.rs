@@ -6,7 +6,7 @@ use super::limits::keeps;
 use super::residuals::ResidualWatch;
 use super::steps::StepWatch;
 use super::{EnergyError, ExceededLimit, LeastPivot, Limits, Monitors};
-use crate::dynamics::{Projected, Projection, State, System};
+use crate::dynamics::{Projected, Projection, Rows, State, System};
 use crate::model::SceneRef;
 use crate::simulate::tolerances::monitors::N_BETWEEN_LOOKS;
 use std::sync::Arc;
@@ -34,11 +34,11 @@ impl Watch {
     ) -> Self {
         let info = Arc::clone(system.info());
         let State { t, q, v, .. } = start;
-        system.take_least_pivot();
-        let [n_position_rows, n_rows] = system.n_rows_on();
+        system.counters().take_least_pivot();
+        let [n_position_rows, n_rows] = system.active().n_on();
         let (of_positions, of_rows) = (n_position_rows > 0, n_rows > 0);
-        let position = of_positions.then(|| system.worst_position(*t, q));
-        let velocity = of_rows.then(|| system.worst_velocity(*t, q, v));
+        let position = of_positions.then(|| system.projector().worst_position(*t, q));
+        let velocity = of_rows.then(|| system.projector().worst_velocity(*t, q, v));
         let measured = work || info.n_effects() == 0;
         Self {
             limits,
@@ -46,7 +46,7 @@ impl Watch {
             steps: StepWatch::new(*t),
             positions: ResidualWatch::new("position", position, projection.positions(), *t, &info),
             velocities: ResidualWatch::new("velocity", velocity, projection.velocities(), *t, &info),
-            pivot: of_rows.then(|| LeastPivot { value: system.pivot_at(*t, q), t: *t }),
+            pivot: of_rows.then(|| LeastPivot { value: system.at_with(*t, q, Rows::Held).smallest_pivot(), t: *t }),
             condition: ConditionWatch::new(system, start),
             energy: measured.then(|| EnergyWatch::new(system, start)),
         }
@@ -82,8 +82,8 @@ impl Watch {
             }
             energy.keep(now);
         }
-        let pivot = system.take_least_pivot();
-        let [_, n_rows] = system.n_rows_on();
+        let pivot = system.counters().take_least_pivot();
+        let [_, n_rows] = system.active().n_on();
         if n_rows > 0 && self.pivot.is_none_or(|least| pivot < least.value) {
             self.pivot = Some(LeastPivot { value: pivot, t: state.t });
         }
@@ -100,14 +100,14 @@ impl Watch {
         state: &State,
         projected: &Projected,
     ) -> Result<(), ExceededLimit> {
-        if system.n_rows_on()[0] == 0 {
+        if system.active().n_on()[0] == 0 {
             return Ok(());
         }
         let worst = if self.projection.positions() {
             self.positions.see_removed(projected.positions_before, state.t, system.info());
             projected.positions_after
         } else {
-            system.worst_position(state.t, &state.q)
+            system.projector().worst_position(state.t, &state.q)
         };
         self.positions.see(worst, self.limits.drift, state.t, system.info())
     }
@@ -119,7 +119,7 @@ impl Watch {
         projected: &Projected,
         last: bool,
     ) -> Result<(), ExceededLimit> {
-        if system.n_rows_on()[1] == 0 {
+        if system.active().n_on()[1] == 0 {
             return Ok(());
         }
         if self.projection.velocities() {
@@ -129,7 +129,7 @@ impl Watch {
         if !looks {
             return Ok(());
         }
-        let worst = system.worst_velocity(state.t, &state.q, &state.v);
+        let worst = system.projector().worst_velocity(state.t, &state.q, &state.v);
         self.velocities.see(worst, self.limits.drift, state.t, system.info())
     }
 

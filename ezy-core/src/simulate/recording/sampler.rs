@@ -1,7 +1,7 @@
 //! Completes states to samples.
 
-use crate::dynamics::{State, System};
-use crate::model::{SceneInfo, SceneRef};
+use crate::dynamics::{Rows, State, System};
+use crate::model::{Derived as _, SceneInfo, SceneRef};
 use crate::record::{EnergyState, Record, RecordError, Recorder, Sample, Wanted};
 use crate::simulate::stepping::snapshot::Snapshot;
 use std::sync::Arc;
@@ -69,19 +69,21 @@ impl<'s> Sampler<'s> {
         self.a.copy_from_slice(&at.a);
         // for the sample only: recording must not change the motion. The matrix was regular before; if the correction fails all
         // the same, the accelerations are good without it
-        let _ = system.refine_accelerations(*t, q, v, &mut self.a);
+        let _ = system.at_with(*t, q, Rows::Projected).refine_accelerations(v, &mut self.a);
         let (position_residual, velocity_residual) =
             (system.position_residual(*t, q), system.velocity_residual(*t, q, v));
         let multipliers = match self.sliding {
             None => &at.lambda,
             Some((row, multiple)) => {
-                let [limit, _] = system.stick_slip(*t, q, v);
+                let mut limit_and_velocity = [0.0; 2];
+                system.scene().stick_slip(system.fixed(), *t, q, v, &mut limit_and_velocity);
+                let [limit, _] = limit_and_velocity;
                 self.multipliers.clone_from(&at.lambda);
                 self.multipliers[row] = multiple * limit;
                 &self.multipliers
             }
         };
-        system.inputs_at(*t, &mut self.inputs);
+        system.integrated_inputs().write_at(*t, &mut self.inputs);
         let sample = Sample {
             info: &self.info,
             wanted: self.wanted,

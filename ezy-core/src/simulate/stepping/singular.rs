@@ -1,7 +1,7 @@
 //! Prediction of singular positions, in which the rank of G drops.
 
 use super::snapshot::Snapshot;
-use crate::dynamics::{State, System};
+use crate::dynamics::{Rows, State, System};
 use crate::model::SceneRef;
 use crate::simulate::tolerances::singular::{N_AHEAD, N_SECTIONS, NEAR, VANISHES};
 use std::ops::Range;
@@ -59,7 +59,7 @@ impl Approach<'_> {
         for i in 1..=N_AHEAD {
             let s = far * 0.5_f64.powi(N_AHEAD - i);
             self.foresee(s, q);
-            let pivot = system.pivot_at(self.now.state.t + s, q);
+            let pivot = system.at_with(self.now.state.t + s, q, Rows::Held).smallest_pivot();
             if pivot < lowest.1 {
                 lowest = (Some(s), pivot);
             }
@@ -76,7 +76,7 @@ impl Approach<'_> {
     ) -> Option<Vanishing> {
         let mut pivot = |s: f64| {
             self.foresee(s, q);
-            system.pivot_at(self.now.state.t + s, q)
+            system.at_with(self.now.state.t + s, q, Rows::Held).smallest_pivot()
         };
         let (mut from, mut to) = (within.start, within.end);
         let section = GOLDEN * (to - from);
@@ -195,7 +195,7 @@ mod tests {
             let scene = guided::Turns { rate, ..Default::default() };
             let mut system = System::new(&scene, Backend::Dense).unwrap();
             let info = scene.info();
-            let pivot = system.pivot_at(3.0, &[0.0, 0.0, 3.0 * rate + 0.1]);
+            let pivot = system.at_with(3.0, &[0.0, 0.0, 3.0 * rate + 0.1], Rows::Held).smallest_pivot();
             let now = at(&info, 3.0, 3.0 * rate + 0.1, rate - 1.0, pivot);
             let approach = Approach { now: &now, before: &now };
             for within in [0.0..0.25, 0.02..0.16, 0.05..0.25] {
@@ -207,7 +207,7 @@ mod tests {
         let scene = guided::Turns::default();
         let mut system = System::new(&scene, Backend::Dense).unwrap();
         let info = scene.info();
-        let pivot = system.pivot_at(0.0, &[0.0, 0.0, 0.1]);
+        let pivot = system.at_with(0.0, &[0.0, 0.0, 0.1], Rows::Held).smallest_pivot();
         let mut now = at(&info, 3.0, 0.1, -1.0, pivot);
         let before = at(&info, 2.9, 0.2, -1.0, 4.0 * pivot);
         let approach = Approach { now: &now, before: &before };

@@ -51,7 +51,7 @@ impl Snapshot {
     pub(in crate::simulate) fn evaluate<P: SceneRef>(&mut self, system: &mut System<P>) -> Result<(), MotionError> {
         let State { t, q, v, z, .. } = &self.state;
         system.place_states(z);
-        let solved = system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
+        let solved = system.at_with(*t, q, Rows::Projected).accelerations(v, &mut self.a, &mut self.lambda)?;
         self.complete(system, solved)
     }
 

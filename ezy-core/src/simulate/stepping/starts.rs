@@ -51,12 +51,12 @@ impl Starts {
         }
         if self.wished != self.other.from {
             // constraints may follow inputs: those of the start
-            let present = system.keep_inputs();
+            let present = system.integrated_inputs().keep();
             self.set_inputs(self.wished.t, system);
             match system.consistent_start(&self.wished) {
                 Ok(state) => self.other.state = state,
                 Err(error) => {
-                    system.restore_inputs(&present);
+                    system.integrated_inputs().restore(&present);
                     return Err(error.into());
                 }
             }
@@ -68,6 +68,6 @@ impl Starts {
     /// Sets the inputs of the simulation, from which it begins at `t`.
     pub(in crate::simulate) fn set_inputs<P: SceneRef>(&self, t: f64, system: &mut System<P>) {
         system.inputs_mut().copy_from_slice(&self.inputs);
-        system.begin_inputs(t);
+        system.integrated_inputs().begin(t);
     }
 }

@@ -4,7 +4,7 @@ use super::singular::Approach;
 use super::singularity_crossing::{SingularityCrossed, SingularityCrossing};
 use super::snapshot::Snapshot;
 use crate::archive::Archive;
-use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, state_not_finite};
+use crate::dynamics::{Metric, MotionError, Projected, Projection, Rows, State, Strain, System, state_not_finite};
 use crate::integrate::{EventDiscontinuities, Integrator, Method, Needs, QUARTERED, Tolerance};
 use crate::model::{SceneInfo, SceneRef};
 use crate::scalar::Scalar;
@@ -141,7 +141,7 @@ impl<P: SceneRef> StepperState<P> {
     pub(in crate::simulate) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.is_next_evaluated = false;
         let Snapshot { state: State { t, q, .. }, solved, .. } = &self.now;
-        self.system.hold_rows(*t, q, solved.is_rank_deficient);
+        self.system.at(*t, q).hold_rows(solved.is_rank_deficient);
         let outcome = match self.advance_across_singularity(t_next) {
             Ok(true) => Ok(()),
             Ok(false) => self.advance_past_singular_positions(h, t_next),
@@ -259,7 +259,8 @@ impl<P: SceneRef> StepperState<P> {
     fn ends_near_singular_position(&mut self) -> bool {
         let (was, is) = (self.now.solved.is_rank_deficient, self.next.end.is_rank_deficient);
         let State { t, q, .. } = &self.next.state;
-        let pivot = if was { self.system.pivot_at(*t, q) } else { self.next.end.smallest_pivot };
+        let pivot =
+            if was { self.system.at_with(*t, q, Rows::Held).smallest_pivot() } else { self.next.end.smallest_pivot };
         let has_fallen = self.crosses && pivot < TOO_NEAR * self.now.end.smallest_pivot;
         // where masses are far apart, pivots fall although constraints are independent
         is && !was || has_fallen && !self.system.diagnosis().is_far_from_singular(*t, q)
@@ -297,7 +298,7 @@ impl<P: SceneRef> StepperState<P> {
         // some methods find their own accelerations, and inputs may change before the next step
         let is_final = !self.expands && self.system.inputs().is_empty();
         self.projected = match is_final {
-            true => self.system.project_end(*t, q, v, self.projection, self.metric)?,
+            true => self.system.projector().project_end(*t, q, v, self.projection, self.metric)?,
             false => self.system.project(*t, q, v, self.projection, self.metric)?,
         };
         self.next.end = self.projected.solved.unwrap_or_default();

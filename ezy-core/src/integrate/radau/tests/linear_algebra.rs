@@ -77,7 +77,7 @@ impl<'s, S: Scene> At<'s, S> {
         let mut rates = vec![0.0; z.len()];
         system.state_rates(*t, q, v, &mut rates);
         let mut jacobians = Jacobians::zero(&info, &ResidualPlaces::of(scene).unwrap());
-        system.jacobians(*t, q, v, &a, &lambda, &mut jacobians);
+        system.at(*t, q).jacobians(v, &a, &lambda, &mut jacobians);
         Self { system, state, a, lambda, rates, jacobians }
     }
 
@@ -115,7 +115,7 @@ impl<'s, S: Scene> At<'s, S> {
             let rates = along(&self.rates, by, of_rates);
             self.system.place_states(&along(&self.state.z, by, of_z));
             let mut residual = vec![0.0; of_unknowns.len()];
-            self.system.residual(self.state.t, &q, &v, &a, &lambda, &rates, &mut residual);
+            self.system.at(self.state.t, &q).residual(&v, &a, &lambda, &rates, &mut residual);
             residual
         });
         before.iter().zip(behind).map(|(before, behind)| (before - behind) / (2.0 * STEP)).collect()

@@ -155,8 +155,8 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
                 return self.end(end).map(Some);
             }
         }
-        let StepperState { system, projected, now, next, .. } = &mut self.stepper;
-        self.watch.look(system, now.state.t, &next.state, projected, last)?;
+        let StepperState { system, projection, now, next, .. } = &mut self.stepper;
+        self.watch.look(system, now.state.t, &next.state, &projection.projected, last)?;
         let controlled = !self.control.is_idle() && !last && !self.schedule.is_cut;
         if !self.detector.is_idle() {
             self.detector.keep(&mut self.stepper)?;
@@ -201,8 +201,8 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
     fn end(&mut self, end: Passage) -> Result<Passage, StopReason> {
         let state = &mut self.samples.within.state;
         self.stepper.find(end.t, state)?;
-        let StepperState { system, projected, now, .. } = &mut self.stepper;
-        self.watch.look(system, now.state.t, state, projected, true)?;
+        let StepperState { system, projection, now, .. } = &mut self.stepper;
+        self.watch.look(system, now.state.t, state, &projection.projected, true)?;
         self.detector.keep(&mut self.stepper)?;
         self.samples.keep_within(&mut self.stepper, end.t)?;
         self.stepper.end_at(end.t, &mut self.samples.within.state)?;

@@ -37,7 +37,7 @@ pub struct RankRecord {
 impl RankRecord {
     /// Registers an accepted state.
     pub(in crate::simulate) fn see<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) {
-        if let Some(crossed) = stepper.crossed.take() {
+        if let Some(crossed) = stepper.singular_positions.crossed.take() {
             self.see_crossing(crossed);
         }
         let StepperState { system, now: at, .. } = stepper;

@@ -1,44 +1,27 @@
 //! A scene with the state of its integration: one step, projected. Shared by runs and steppers.
 
 use super::singular::Approach;
-use super::singularity_crossing::{SingularityCrossed, SingularityCrossing};
+use super::singular_positions::SingularPositions;
 use super::snapshot::Snapshot;
+use super::state_projection::StateProjection;
+use super::step_method::StepMethod;
 use crate::archive::Archive;
-use crate::dynamics::{Metric, MotionError, Projected, Projection, Rows, State, Strain, System, state_not_finite};
-use crate::integrate::{EventDiscontinuities, Integrator, Method, Needs, QUARTERED, Tolerance};
+use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, state_not_finite};
+use crate::integrate::{Method, QUARTERED, Tolerance};
 use crate::model::{SceneInfo, SceneRef};
 use crate::scalar::Scalar;
 use crate::simulate::SetupError;
-use crate::simulate::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, SHORTENED, TOO_NEAR};
+use crate::simulate::tolerances::singular::{MAX_SHORTENED, SHORTENED};
 use std::sync::Arc;
 
 /// The state `now`, and the end `next` of the step under way.
 pub(in crate::simulate) struct StepperState<P: SceneRef> {
     pub system: System<P>,
-    integrator: Box<dyn Integrator<System<P>>>,
-    /// Whether the method finds accelerations itself: asked once, not at each step.
-    expands: bool,
-    discontinuities: EventDiscontinuities,
-    projection: Projection,
-    metric: Metric,
-    /// Whether singular positions are crossed by special steps: only when steps are projected.
-    crosses: bool,
-    /// Tolerance of a method that chooses its steps.
-    tolerance: Option<Tolerance>,
-    /// Made when it is first needed.
-    crossing: Option<Box<SingularityCrossing>>,
-    /// A buffer for positions ahead.
-    foreseen: Vec<f64>,
-    /// The last crossing step; none once it is recorded.
-    pub crossed: Option<SingularityCrossed>,
-    /// Steps taken again shorter: next to a singular position, or far off the constraints.
-    n_shortened: u64,
-    /// Usual step length, s, of which single steps are cut short; zero before the first step.
-    usual_s: f64,
+    method: StepMethod<P>,
+    pub projection: StateProjection,
+    pub singular_positions: SingularPositions,
     /// Whether works are integrated.
     pub work: bool,
-    /// What the last projection of a state found and left.
-    pub projected: Projected,
     pub now: Snapshot,
     pub next: Snapshot,
     /// Whether `next` was evaluated when the step was taken.
@@ -55,29 +38,11 @@ impl<P: SceneRef> StepperState<P> {
     ) -> Result<Self, SetupError> {
         let info = Arc::clone(system.info());
         let [now, next] = std::array::from_fn(|_| Snapshot::zero(&info, work));
-        let projects = projection == Projection::Both && metric == Metric::Mass;
-        let integrator = integrator(&system, method, now.power.len())?;
-        let discontinuities = EventDiscontinuities::new(&info);
-        Ok(Self {
-            system,
-            expands: integrator.expands(),
-            integrator,
-            discontinuities,
-            projection,
-            metric,
-            crosses: projects && info.n_position_rows > 0,
-            tolerance: method.tolerance(),
-            crossing: None,
-            foreseen: vec![0.0; info.n_coordinates()],
-            crossed: None,
-            n_shortened: 0,
-            usual_s: 0.0,
-            work,
-            projected: Projected::default(),
-            now,
-            next,
-            is_next_evaluated: false,
-        })
+        let method = StepMethod::new(&system, method, now.power.len())?;
+        let projection = StateProjection::new(projection, metric);
+        let crosses = projection.is_complete() && info.n_position_rows > 0;
+        let singular_positions = SingularPositions::new(crosses, info.n_coordinates());
+        Ok(Self { system, method, projection, singular_positions, work, now, next, is_next_evaluated: false })
     }
 
     /// Moves to a state without history, which is not evaluated.
@@ -96,21 +61,10 @@ impl<P: SceneRef> StepperState<P> {
         self.now.remember(archive);
         self.next.remember(archive);
         self.system.remember(archive);
-        self.discontinuities.remember(archive);
-        archive.number(&mut self.usual_s);
-        archive.count(&mut self.n_shortened);
-        let mut has_crossing = self.crossing.is_some();
-        archive.flag(&mut has_crossing);
-        self.crossed = None;
-        if has_crossing {
-            let Self { system, crossing, tolerance, work, .. } = self;
-            let new = || Box::new(SingularityCrossing::new(system, *tolerance, *work));
-            crossing.get_or_insert_with(new).remember(archive);
-        } else {
-            self.crossing = None;
-        }
-        self.integrator.remember(&mut self.system, archive);
-        if archive.is_read() && self.expands {
+        self.method.remember_discontinuities(archive);
+        self.singular_positions.remember(&self.system, self.method.tolerance(), self.work, archive);
+        self.method.integrator.remember(&mut self.system, archive);
+        if archive.is_read() && self.method.expands() {
             self.evaluate_now()?;
         }
         Ok(())
@@ -123,17 +77,8 @@ impl<P: SceneRef> StepperState<P> {
 
     /// Forgets the steps taken so far.
     fn restart(&mut self) {
-        self.integrator.restart();
-        self.discontinuities.restart();
-        self.forget_crossing();
-    }
-
-    fn forget_crossing(&mut self) {
-        self.usual_s = 0.0;
-        self.crossed = None;
-        if let Some(crossing) = &mut self.crossing {
-            crossing.restart();
-        }
+        self.method.restart();
+        self.singular_positions.restart();
     }
 
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
@@ -148,61 +93,37 @@ impl<P: SceneRef> StepperState<P> {
             Err(error) => Err(error),
         };
         if outcome.is_ok() {
-            let length = self.next.state.t - self.now.state.t;
-            self.usual_s = length.max(self.usual_s - FADING * length);
+            self.singular_positions.see_step(self.next.state.t - self.now.state.t);
         }
         let Snapshot { state: State { t, q, v, .. }, a, lambda, .. } = &self.now;
         outcome.map_err(|error| {
             let error = self.system.diagnosis().locked_up(*t, q, error);
             self.system.diagnosis().without_derivative((*t, q, v), (a, lambda), error)
         })?;
-        check_angles(self.system.info(), self.tolerance, &self.next.state)
+        check_angles(self.system.info(), self.method.tolerance(), &self.next.state)
     }
 
     /// A step across a singular position, or a part of such a step; false where there is none.
     fn advance_across_singularity(&mut self, t_next: f64) -> Result<bool, MotionError> {
-        let chooses_steps = self.chooses_steps();
-        let Self { system, crossing, now, next, .. } = self;
-        if let Some(crossing) = crossing
-            && now.state.t >= crossing.end.state.t
-        {
-            crossing.is_under_way = false;
-        }
-        if !crossing.as_ref().is_some_and(|crossing| crossing.is_under_way) {
-            // a step over several ticks of the clock has the inputs of the first one only
-            let holds_inputs = chooses_steps || system.inputs().is_empty();
-            let approach = Approach { now, before: next };
-            let is_heading = crossing.as_ref().is_some_and(|crossing| crossing.is_heading());
-            if !self.crosses || !holds_inputs {
-                return Ok(false);
-            }
-            // on the way, the crossing itself knows where
-            let ahead =
-                if is_heading { Some(0.0..0.0) } else { approach.ahead(system, self.usual_s, &mut self.foreseen) };
-            let Some(within) = ahead else { return Ok(false) };
-            let crossing =
-                crossing.get_or_insert_with(|| Box::new(SingularityCrossing::new(system, self.tolerance, self.work)));
-            if !crossing.step(system, &approach, within, self.usual_s) {
-                return Ok(false);
-            }
-            self.crossed = Some(crossing.crossed());
-        }
-        let Some(crossing) = crossing else { return Ok(false) };
+        let Self { system, method, singular_positions, now, next, work, .. } = self;
+        let approach = Approach { now, before: next };
+        let tolerance = method.tolerance();
+        let Some(crossing) = singular_positions.crossing_step(system, &approach, tolerance, *work) else {
+            return Ok(false);
+        };
         let end = &crossing.end;
         if t_next < end.state.t {
             crossing.between(t_next, &mut next.state);
-            self.project_next()?;
-        } else if chooses_steps || t_next == end.state.t {
+        } else if method.chooses_steps() || t_next == end.state.t {
             next.state.copy_from(&end.state);
-            self.integrator.restart();
-            self.project_next()?;
+            method.integrator.restart();
         } else {
             crossing.is_under_way = false;
-            self.integrator.restart();
+            method.integrator.restart();
             let h = t_next - end.state.t;
-            self.integrator.step(system, end.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
-            self.project_next()?;
+            method.step(system, end.node(), h, t_next, &mut next.state)?;
         }
+        self.project_next()?;
         check_finite(&self.system, self.now.state.t, &self.next.state)?;
         Ok(true)
     }
@@ -219,9 +140,11 @@ impl<P: SceneRef> StepperState<P> {
             let State { t, .. } = self.now.state;
             let made = self.next.state.t - t;
             let shorter = match &outcome {
-                Ok(()) if self.passes_singular_position() => QUARTERED * made,
-                Ok(()) if self.ends_near_singular_position() => SHORTENED * made,
-                Ok(()) => match self.integrator.shorter_for_constraints(&self.next.state.v) {
+                Ok(()) if self.singular_positions.may_be_within(&self.method, &self.now) => QUARTERED * made,
+                Ok(()) if self.singular_positions.is_near_end(&mut self.system, &self.now, &self.next) => {
+                    SHORTENED * made
+                }
+                Ok(()) => match self.method.integrator.shorter_for_constraints(&self.next.state.v) {
                     Some(shorter) => shorter,
                     None => break,
                 },
@@ -233,59 +156,41 @@ impl<P: SceneRef> StepperState<P> {
                 Err(_) => break,
             };
             outcome = self.step(shorter, t + shorter);
-            self.n_shortened += 1;
+            self.singular_positions.n_shortened += 1;
         }
         outcome?;
-        if self.creeps(t_next) {
-            let State { t, .. } = self.now.state;
-            return Err(MotionError::StepCollapsed { t, step_s: self.next.state.t - t });
+        let Self {
+            system,
+            singular_positions,
+            now: Snapshot { state: now, .. },
+            next: Snapshot { state: next, .. },
+            ..
+        } = self;
+        if singular_positions.creeps(system, now, next, t_next) {
+            return Err(MotionError::StepCollapsed { t: now.t, step_s: next.t - now.t });
         }
         Ok(())
-    }
-
-    /// Whether a step next to a singular position is so short that it leads nowhere but into rounding.
-    fn creeps(&mut self, t_next: f64) -> bool {
-        let (now, next) = (&self.now.state, &self.next.state);
-        let is_short = next.t < t_next && next.t - now.t < CREEPING * self.usual_s;
-        self.crosses && is_short && self.system.diagnosis().is_nearly_singular(now.t, &now.q)
-    }
-
-    /// Whether a singular position may lie between the ends of the step, where steps of another kind pass it on the right branch.
-    fn passes_singular_position(&self) -> bool {
-        self.crosses && self.integrator.smallest_pivot_within() < TOO_NEAR * self.now.end.smallest_pivot
-    }
-
-    /// Whether rows that were independent at the start of the step nearly depend on each other at its end.
-    fn ends_near_singular_position(&mut self) -> bool {
-        let (was, is) = (self.now.solved.is_rank_deficient, self.next.end.is_rank_deficient);
-        let State { t, q, .. } = &self.next.state;
-        let pivot =
-            if was { self.system.at_with(*t, q, Rows::Held).smallest_pivot() } else { self.next.end.smallest_pivot };
-        let has_fallen = self.crosses && pivot < TOO_NEAR * self.now.end.smallest_pivot;
-        // where masses are far apart, pivots fall although constraints are independent
-        is && !was || has_fallen && !self.system.diagnosis().is_far_from_singular(*t, q)
     }
 
     #[inline]
     fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
-        self.integrator.step(system, now.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
+        self.method.step(system, now.node(), h, t_next, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         self.project_next()?;
-        if self.expands { self.judge_by_end(h, t_next) } else { Ok(()) }
+        if self.method.expands() { self.judge_by_end(h, t_next) } else { Ok(()) }
     }
 
     /// Takes the step again shorter, as long as the method refuses it for the accelerations at its end.
     fn judge_by_end(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         loop {
             // an error here comes again when the end is evaluated
-            self.is_next_evaluated =
-                evaluate(self.expands.then_some(&mut *self.integrator), &mut self.system, &mut self.next).is_ok();
+            self.is_next_evaluated = self.method.evaluate(&mut self.system, &mut self.next).is_ok();
             let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
-            if !self.is_next_evaluated || !self.integrator.refuses(now.node(), next.node()) {
+            if !self.is_next_evaluated || !self.method.integrator.refuses(now.node(), next.node()) {
                 return Ok(());
             }
-            self.integrator.step(system, now.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
+            self.method.step(system, now.node(), h, t_next, &mut next.state)?;
             check_finite(system, now.state.t, &next.state)?;
             self.project_next()?;
         }
@@ -293,15 +198,15 @@ impl<P: SceneRef> StepperState<P> {
 
     #[inline]
     fn project_next(&mut self) -> Result<(), MotionError> {
-        let State { t, q, v, z, .. } = &mut self.next.state;
-        self.system.place_states(z);
+        let Self { system, projection, next: Snapshot { state, .. }, .. } = self;
+        system.place_states(&state.z);
         // some methods find their own accelerations, and inputs may change before the next step
-        let is_final = !self.expands && self.system.inputs().is_empty();
-        self.projected = match is_final {
-            true => self.system.projector().project_end(*t, q, v, self.projection, self.metric)?,
-            false => self.system.project(*t, q, v, self.projection, self.metric)?,
-        };
-        self.next.end = self.projected.solved.unwrap_or_default();
+        let is_final = !self.method.expands() && system.inputs().is_empty();
+        match is_final {
+            true => projection.project_end(system, state)?,
+            false => projection.project(system, state)?,
+        }
+        self.next.end = self.projection.projected.solved.unwrap_or_default();
         Ok(())
     }
 
@@ -317,7 +222,7 @@ impl<P: SceneRef> StepperState<P> {
 
     /// Whether the method chooses the length of its steps.
     pub(in crate::simulate) fn chooses_steps(&self) -> bool {
-        self.tolerance.is_some()
+        self.method.chooses_steps()
     }
 
     /// The largest acceleration at `now`, which is evaluated, and its cause.
@@ -329,30 +234,21 @@ impl<P: SceneRef> StepperState<P> {
 
     /// The state at `t` between `now` and `next`, both evaluated; neither projected nor evaluated.
     pub(in crate::simulate) fn inside(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
-        if let Some(crossing) = self.crossing.as_mut().filter(|crossing| crossing.is_under_way) {
-            crossing.between(t, out);
+        if self.singular_positions.between(t, out) {
             return Ok(());
         }
-        self.integrator.between(&mut self.system, self.now.node(), self.next.node(), t, out)
+        self.method.integrator.between(&mut self.system, self.now.node(), self.next.node(), t, out)
     }
 
     /// The state at `t` between `now` and `next`, both evaluated; projected as the ends of steps are. Where the projection changes more than
     /// the tolerance explains, it is the end of a step of its own.
     pub(in crate::simulate) fn find(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
         self.inside(t, out)?;
-        self.project(out)?;
-        let is_across = self.crossing.as_ref().is_some_and(|crossing| crossing.is_under_way);
-        let is_off = !is_across && self.integrator.is_off_constraints(&out.v);
-        if is_off && self.integrator.step_to(&mut self.system, self.now.node(), t, out)? {
-            self.project(out)?;
+        self.projection.project(&mut self.system, out)?;
+        let is_off = !self.singular_positions.is_crossing() && self.method.integrator.is_off_constraints(&out.v);
+        if is_off && self.method.integrator.step_to(&mut self.system, self.now.node(), t, out)? {
+            self.projection.project(&mut self.system, out)?;
         }
-        Ok(())
-    }
-
-    /// Projects a state as the ends of steps are.
-    fn project(&mut self, state: &mut State) -> Result<(), MotionError> {
-        let State { t, q, v, .. } = state;
-        self.projected = self.system.project(*t, q, v, self.projection, self.metric)?;
         Ok(())
     }
 
@@ -367,8 +263,7 @@ impl<P: SceneRef> StepperState<P> {
     pub(in crate::simulate) fn switch(&mut self, holds: bool, side: f64) -> Result<(), MotionError> {
         self.system.switch(holds, side);
         self.restart();
-        let State { t, q, v, .. } = &mut self.now.state;
-        self.system.project(*t, q, v, self.projection, self.metric)?;
+        self.projection.project_unseen(&mut self.system, &mut self.now.state)?;
         Ok(())
     }
 
@@ -411,24 +306,23 @@ impl<P: SceneRef> StepperState<P> {
 
     /// Repeats the step under way with the length `h`, without history.
     pub(in crate::simulate) fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        self.integrator.restart_with(h);
-        self.forget_crossing();
+        self.method.integrator.restart_with(h);
+        self.singular_positions.restart();
         self.evaluate_now()?;
         self.advance(h, t_next)
     }
 
     pub(in crate::simulate) fn n_rejected(&self) -> u64 {
-        let of_crossings = self.crossing.as_ref().map_or(0, |crossing| crossing.n_rejected);
-        self.integrator.n_rejected() + self.n_shortened + of_crossings
+        self.method.integrator.n_rejected() + self.singular_positions.n_rejected()
     }
 
     pub(in crate::simulate) fn stiff_since(&self) -> Option<f64> {
-        self.integrator.stiff_since()
+        self.method.integrator.stiff_since()
     }
 
     pub(in crate::simulate) fn evaluate_now(&mut self) -> Result<(), MotionError> {
-        evaluate(self.expands.then_some(&mut *self.integrator), &mut self.system, &mut self.now)?;
-        self.integrator.accept();
+        self.method.evaluate(&mut self.system, &mut self.now)?;
+        self.method.integrator.accept();
         Ok(())
     }
 
@@ -442,48 +336,13 @@ impl<P: SceneRef> StepperState<P> {
         if self.is_next_evaluated {
             return Ok(());
         }
-        evaluate(self.expands.then_some(&mut *self.integrator), &mut self.system, &mut self.next)
+        self.method.evaluate(&mut self.system, &mut self.next)
     }
 
     /// `next` becomes `now`.
     pub(in crate::simulate) fn accept(&mut self) {
         std::mem::swap(&mut self.now, &mut self.next);
-        self.integrator.accept();
-    }
-}
-
-/// The method with its storage.
-fn integrator<P: SceneRef>(
-    system: &System<P>,
-    method: Method,
-    n_works: usize,
-) -> Result<Box<dyn Integrator<System<P>>>, SetupError> {
-    SetupError::refuse_angles(system.info(), method.tolerance())?;
-    let made = method.kind().of_system(system, n_works, method.tolerance().unwrap_or(Tolerance::ANY))?;
-    let info = system.info();
-    made.ok_or(match method.info().needs {
-        _ if info.n_states() > 0 && !method.info().takes_states => {
-            SetupError::FirstOrderStates { scene: info.name, method: method.name() }
-        }
-        _ if !(info.is_planar() || method.info().takes_any_body) => {
-            SetupError::SpatialBodies { scene: info.name, method: method.name() }
-        }
-        Needs::Jacobians => SetupError::NoJacobians { scene: info.name },
-        Needs::Series | Needs::Nothing => SetupError::NoSeries { scene: info.name, series: info.series },
-    })
-}
-
-/// Accelerations, multipliers and powers at a state; by the method where it `expands`.
-fn evaluate<P: SceneRef>(
-    expands: Option<&mut (dyn Integrator<System<P>> + 'static)>,
-    system: &mut System<P>,
-    at: &mut Snapshot,
-) -> Result<(), MotionError> {
-    let Some(integrator) = expands else { return at.evaluate(system) };
-    let Snapshot { state, a, lambda, .. } = at;
-    match integrator.expand(system, state, a, lambda) {
-        Some(solved) => at.complete(system, solved?),
-        None => at.evaluate(system),
+        self.method.integrator.accept();
     }
 }
 

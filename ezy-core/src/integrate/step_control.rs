@@ -1,18 +1,9 @@
 //! The lengths of steps: fixed, or from the error of the last one.
 
 use crate::archive::Archive;
+use crate::integrate::tolerances::step_control::{BETA, GROW, LEAST_ERROR, REST, SAFETY, SHRINK};
 use crate::model::coordinate::is_angle;
 use crate::scalar::Scalar;
-
-/// Steps are aimed at this part of the largest allowed error, so that few are rejected.
-const SAFETY: f64 = 0.9;
-/// A step changes at most by these factors.
-const SHRINK: f64 = 1.0 / 3.0;
-const GROW: f64 = 6.0;
-/// Exponent of the integral part of the controller, which damps oscillations of the step length.
-const BETA: f64 = 0.04;
-/// Smallest error that is used for prediction.
-const LEAST_ERROR: f64 = 1e-4;
 
 /// Tolerated errors of a step: `absolute + relative · |y|` for each number of the state, or `angle` for each angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,9 +109,6 @@ pub(crate) struct Clock {
     step: f64,
     n_steps: u64,
 }
-
-/// A remainder of the run below this fraction of a step is rounding of `n h`, not a step.
-const REST: f64 = 1e-9;
 
 impl Clock {
     /// From `start` to `end ≥ start`, s, with `step > 0`.

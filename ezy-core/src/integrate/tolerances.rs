@@ -147,3 +147,249 @@ pub(crate) mod second_run {
     /// Test: `cross_estimates_are_within_a_factor_of_five_of_the_error`.
     pub(crate) const ROUNDING_OF_RADAU: f64 = 1e-11;
 }
+
+/// Lengths of steps of DOP853, and the clock of fixed steps.
+pub(crate) mod step_control {
+    /// Steps are aimed at this part of the largest allowed error, so that few are rejected.
+    /// Unit: 1.
+    /// Test: `analytic_steady_errors_ask_for_their_eighth_root_less_what_damps`.
+    pub(crate) const SAFETY: f64 = 0.9;
+
+    /// A step becomes at most this part of the last one, or of the one that was tried.
+    /// Unit: 1.
+    /// Test: `analytic_steps_change_by_six_and_a_third_at_most`.
+    pub(crate) const SHRINK: f64 = 1.0 / 3.0;
+
+    /// A step becomes at most this many times as long.
+    /// Unit: 1.
+    /// Test: `analytic_steps_change_by_six_and_a_third_at_most`.
+    pub(crate) const GROW: f64 = 6.0;
+
+    /// Exponent of the integral part of the controller, which damps oscillations of the step length.
+    /// Unit: 1.
+    /// Test: `analytic_steady_errors_ask_for_their_eighth_root_less_what_damps`.
+    pub(crate) const BETA: f64 = 0.04;
+
+    /// Smallest error that is used for prediction.
+    /// Unit: tolerances.
+    /// Test: `analytic_steps_change_by_six_and_a_third_at_most`.
+    pub(crate) const LEAST_ERROR: f64 = 1e-4;
+
+    /// A remainder of the run below this fraction of a step is rounding of `n h`, not a step.
+    /// Unit: share of a step.
+    /// Test: `analytic_clock_lands_on_its_end`.
+    pub(crate) const REST: f64 = 1e-9;
+}
+
+/// When DOP853 calls a motion stiff, and where its estimate of the error is rounding.
+pub(crate) mod dop853 {
+    /// Edge of the region in which the method is stable, along the negative real axis, for h |λ|.
+    /// Unit: 1.
+    /// Test: `regress_fifteen_steps_at_the_edge_are_stiff`.
+    pub(crate) const STABLE: f64 = 6.1;
+
+    /// One step in this many is examined until one is at the edge.
+    /// Unit: steps.
+    /// Test: `regress_steps_are_examined_when_due`.
+    pub(crate) const EVERY: u32 = 50;
+
+    /// This many steps at the edge mean stiffness, unless [`N_OTHERS`] others in a row come between them.
+    /// Unit: steps.
+    /// Test: `regress_fifteen_steps_at_the_edge_are_stiff`.
+    pub(crate) const N_AT_EDGE: u32 = 15;
+
+    /// See [`N_AT_EDGE`].
+    /// Unit: steps.
+    /// Test: `regress_six_others_in_a_row_begin_the_count_again`.
+    pub(crate) const N_OTHERS: u32 = 6;
+
+    /// Below this tolerance errors are rounding, of which the divided difference makes more than the error of order 5: next to singular positions
+    /// steps would not end.
+    /// Unit: 1.
+    /// Test: `analytic_sixth_differences_count_above_rounding`.
+    pub(crate) const ROUNDING: f64 = 1e-11;
+}
+
+/// Sweeps and lengths of steps of collocation.
+pub(crate) mod gauss {
+    /// Sweeps end where the next one would change a velocity by less than this part of its tolerance.
+    /// Unit: tolerances.
+    /// Test: `cross_sweeps_of_a_swing_end_where_they_have_converged_or_do_not`.
+    pub(crate) const OF_SWEEPS: f64 = 0.1;
+
+    /// What the first step changes a number of the state by, relative to its size and its unit.
+    /// Unit: 1.
+    /// Test: `analytic_first_step_changes_a_number_by_a_tenth`.
+    pub(crate) const FIRST_CHANGE: f64 = 0.1;
+
+    /// Most sweeps of a step; more are no gain over a shorter step.
+    /// Unit: sweeps.
+    /// Test: `cross_sweeps_of_a_swing_end_where_they_have_converged_or_do_not`.
+    pub(crate) const MAX_SWEEPS: u32 = 50;
+
+    /// A change of the accelerations that sweeps do not make smaller is rounding below this part of them.
+    /// Unit: share of an acceleration.
+    /// Test: `analytic_changes_that_are_rounding_end_sweeps`.
+    pub(crate) const ROUNDING: f64 = 1e-12;
+
+    /// Sweeps of this rate do not converge.
+    /// Unit: 1.
+    /// Test: `cross_sweeps_of_a_swing_end_where_they_have_converged_or_do_not`.
+    pub(crate) const STALLED: f64 = 0.9;
+
+    /// Changes may grow in so many sweeps: of a linear motion sweep n multiplies them by about z/n.
+    /// Unit: sweeps.
+    /// Test: `cross_sweeps_of_a_swing_end_where_they_have_converged_or_do_not`.
+    pub(crate) const GROWING: u32 = 8;
+
+    /// Steps aim at this error over the tolerance, since errors of neighbouring steps differ by as much: few are rejected.
+    /// Unit: tolerances.
+    /// Test: `analytic_errors_change_lengths_by_their_seventeenth_root`.
+    pub(crate) const AIM: f64 = 0.01;
+
+    /// A step becomes at most this part of the last one.
+    /// Unit: 1.
+    /// Test: `analytic_errors_change_lengths_by_their_seventeenth_root`.
+    pub(crate) const SHRINK: f64 = 0.2;
+
+    /// A step becomes at most this many times as long.
+    /// Unit: 1.
+    /// Test: `analytic_errors_change_lengths_by_their_seventeenth_root`.
+    pub(crate) const GROW: f64 = 4.0;
+
+    /// A step whose sweeps do not converge is taken again shorter by this.
+    /// Unit: 1.
+    /// Test: `invariant_steps_do_not_grow_after_one_that_failed`.
+    pub(crate) const DIVERGED: f64 = 0.5;
+
+    /// Steps at which sweeps converge more slowly than at this rate become shorter. With a rate ρ proportional to the length of the step, h, sweeps
+    /// reach a goal in a number proportional to 1/ln(1/ρ), so that fewest are needed for a length of time at ρ = 1/e; that the first guess gets
+    /// worse with longer steps makes it less.
+    /// Unit: 1.
+    /// Test: `analytic_slow_sweeps_shorten_steps`.
+    pub(crate) const BEST_RATE: f64 = 0.2;
+}
+
+/// Iterations and lengths of steps of Radau.
+pub(crate) mod radau {
+    /// Largest number of Newton iterations of a step.
+    /// Unit: iterations.
+    /// Test: `regress_iterations_end_after_seven_passes`.
+    pub(crate) const MAX_PASSES: u32 = 7;
+
+    /// The iteration ends when its error is below this part of the tolerance, or below the root of the tolerance.
+    /// Unit: 1.
+    /// Test: `analytic_goal_is_the_root_of_the_tolerance_within_bounds`.
+    pub(crate) const PART: f64 = 0.03;
+
+    /// Rounding of sums of some terms, in parts of the largest: changes and residuals below it are zero.
+    /// Unit: 1.
+    /// Test: `analytic_goal_is_the_root_of_the_tolerance_within_bounds`.
+    pub(crate) const ROUNDING: f64 = 10.0 * f64::EPSILON;
+
+    /// Factor for the step after an iteration that diverges.
+    /// Unit: 1.
+    /// Test: `analytic_slow_iterations_ask_for_a_shorter_step`.
+    pub(crate) const SHORTEN: f64 = 0.5;
+
+    /// Largest rate of convergence.
+    /// Unit: 1.
+    /// Test: `analytic_slow_iterations_ask_for_a_shorter_step`.
+    pub(crate) const SLOWEST: f64 = 0.99;
+
+    /// Exponent of the previous rate in the estimate for the first iteration.
+    /// Unit: 1.
+    /// Test: `analytic_goal_is_the_root_of_the_tolerance_within_bounds`.
+    pub(crate) const FORGET: f64 = 0.8;
+
+    /// The stages are also taken as solved when a pass has left at most this part of the residual. A stiff force that levels off makes
+    /// passes with small changes that leave nearly all of it.
+    /// Unit: 1.
+    /// Test: `invariant_small_changes_that_leave_residuals_do_not_end_the_iteration`.
+    pub(crate) const TRUSTED: f64 = 0.1;
+
+    /// Rate of convergence that is assumed when one iteration sufficed.
+    /// Unit: 1.
+    /// Test: `analytic_linear_equations_take_one_pass_and_keep_their_factors`.
+    pub(crate) const AT_ONCE: f64 = 1e-3;
+
+    /// Steps are aimed at this part of the largest allowed error, less where the iteration is slow.
+    /// Unit: 1.
+    /// Test: `analytic_next_step_is_the_fourth_root_of_the_error`.
+    pub(crate) const SAFETY: f64 = 0.9;
+
+    /// A step becomes at most this part of the last one.
+    /// Unit: 1.
+    /// Test: `analytic_trend_of_errors_shortens_the_next_step`.
+    pub(crate) const SHRINK: f64 = 0.2;
+
+    /// A step becomes at most this many times as long.
+    /// Unit: 1.
+    /// Test: `analytic_next_step_is_the_fourth_root_of_the_error`.
+    pub(crate) const GROW: f64 = 8.0;
+
+    /// A step that would grow by less keeps its length and its factors.
+    /// Unit: 1.
+    /// Test: `invariant_nearly_equal_steps_keep_their_factors`.
+    pub(crate) const KEEP: f64 = 1.2;
+
+    /// Smallest error that is used for prediction.
+    /// Unit: tolerances.
+    /// Test: `analytic_trend_of_errors_shortens_the_next_step`.
+    pub(crate) const LEAST_ERROR: f64 = 1e-2;
+
+    /// The first step is a guess: what remains of it after a rejection.
+    /// Unit: 1.
+    /// Test: `analytic_rejected_steps_become_shorter_and_do_not_grow_at_once`.
+    pub(crate) const FIRST_REJECTED: f64 = 0.1;
+
+    /// Jacobians and factors are kept as long as a pass leaves less than this of the error.
+    /// Unit: 1.
+    /// Test: `analytic_linear_equations_take_one_pass_and_keep_their_factors`.
+    pub(crate) const FAST: f64 = 1e-3;
+
+    /// Steps with coupled stages before the simplified iteration is tried again.
+    /// Unit: steps.
+    /// Test: `regress_twenty_steps_have_slopes_at_every_stage_after_one_that_diverged`.
+    pub(crate) const N_COUPLED: u32 = 20;
+
+    /// Factors are reused for steps whose length differs by less than this part.
+    /// Unit: 1.
+    /// Test: `analytic_linear_equations_take_one_pass_and_keep_their_factors`.
+    pub(crate) const SAME_STEP: f64 = 1e-9;
+
+    /// A step is stiff where forces by the Jacobians make this part of a residual: stages then have an order of their own, which is lower. Over the
+    /// shipped scenes the part is below 0.2, with stiff bushings below 0.75.
+    /// Unit: 1.
+    /// Test: `analytic_second_look_is_none_of_a_stiff_step`.
+    pub(crate) const STIFF: f64 = 0.5;
+
+    /// First step, in parts of the time in which the state changes by its own size.
+    /// Unit: 1.
+    /// Test: `analytic_first_step_is_a_part_of_the_time_of_change`.
+    pub(crate) const FIRST: f64 = 1e-2;
+
+    /// The shortest first step, s.
+    /// Unit: s.
+    /// Test: `analytic_first_step_is_a_part_of_the_time_of_change`.
+    pub(crate) const LEAST_FIRST_S: f64 = 1e-6;
+
+    /// Diagonal entry of the rows of G, relative to the largest entry of the scaled row: far above the rounding of redundant rows,
+    /// far below what would slow the iteration.
+    /// Unit: 1.
+    /// Test: `analytic_matrices_with_a_dependent_row_are_regular`.
+    pub(crate) const DAMPING: f64 = 1e-11;
+
+    /// Number of equations from which on sparse factors take less time: a chain of 25 equations takes as long either way, one of 50
+    /// less than half, one of 100 a twentieth.
+    /// Unit: equations.
+    /// Test: `regress_fifty_equations_have_sparse_factors`.
+    pub(crate) const SPARSE_FROM: usize = 50;
+
+    /// Number of equations up to which all stages are solved together: dense factors of 240 unknowns take some milliseconds.
+    /// Seven parallel cranks have 52 equations, and take 34 steps at 1e-6 with it and 295 without.
+    /// Unit: equations.
+    /// Test: `cross_coupled_and_transformed_stages_agree`,
+    /// and `analytic_seven_level_cranks_by_radau_are_a_pendulum_in_few_steps`.
+    pub(crate) const LARGEST_COUPLED: usize = 80;
+}

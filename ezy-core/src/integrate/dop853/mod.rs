@@ -13,6 +13,7 @@ use super::step_control::Tolerance;
 use super::{Node, compensated};
 use crate::archive::Archive;
 use crate::dynamics::{Dynamics, MotionError, State};
+use crate::integrate::tolerances::dop853::ROUNDING;
 use crate::model::coordinate::is_angle;
 use crate::scalar::Scalar;
 use sums::{Block, Sum, WIDTH};
@@ -23,10 +24,6 @@ pub(crate) use stiffness::StiffnessWatch;
 
 /// Order of the error estimate's power of the step.
 pub(crate) const ERROR_ORDER: i32 = 8;
-
-/// Below this tolerance errors are rounding, of which the divided difference makes more than the error of order 5: next to singular positions
-/// steps would not end.
-const ROUNDING: f64 = 1e-11;
 
 /// Stages of the method for q' = N(q) v, v' = a(t, q, v, z), z' = rates of first-order states, w' = power of each effect, as one vector
 /// y = (q, v, z, w).

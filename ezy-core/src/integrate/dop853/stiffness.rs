@@ -4,15 +4,8 @@ use super::Dop853;
 use super::tableau::N_STAGES;
 use crate::archive::Archive;
 use crate::integrate::Node;
+use crate::integrate::tolerances::dop853::{EVERY, N_AT_EDGE, N_OTHERS, STABLE};
 use crate::scalar::Scalar;
-
-/// Edge of the region in which the method is stable, along the negative real axis, for h |λ|.
-const STABLE: f64 = 6.1;
-/// One step in this many is examined until one is at the edge.
-const EVERY: u32 = 50;
-/// This many steps at the edge mean stiffness, unless [`N_OTHERS`] others in a row come between them.
-const N_AT_EDGE: u32 = 15;
-const N_OTHERS: u32 = 6;
 
 /// Counts steps at the edge of stability.
 ///

@@ -2,27 +2,13 @@
 
 use super::{Collocated, tableau::N};
 use crate::archive::Archive;
+use crate::integrate::tolerances::gauss::{AIM, BEST_RATE, DIVERGED, GROW, SHRINK};
 
 /// The error at the end of a step goes with this power of its length.
 const ERROR_ORDER: f64 = 2.0 * N as f64 + 1.0;
 
 /// The error within a step goes with this power of its length.
 const DENSE_ERROR_ORDER: f64 = N as f64 + 1.0;
-
-/// Steps aim at this error over the tolerance, since errors of neighbouring steps differ by as much: few are rejected.
-const AIM: f64 = 0.01;
-
-/// A step changes at most by these factors.
-const SHRINK: f64 = 0.2;
-const GROW: f64 = 4.0;
-
-/// A step whose sweeps do not converge is taken again shorter by this.
-const DIVERGED: f64 = 0.5;
-
-/// Steps at which sweeps converge more slowly than at this rate become shorter. With a rate ρ proportional to the length of the step, h, sweeps
-/// reach a goal in a number proportional to 1/ln(1/ρ), so that fewest are needed for a length of time at ρ = 1/e; that the first guess gets
-/// worse with longer steps makes it less.
-const BEST_RATE: f64 = 0.2;
 
 /// What the next step is to the last one.
 #[derive(Debug, Clone, Default)]
@@ -73,7 +59,7 @@ mod tests {
         for (error, expected) in [(0.01, 1.0), (0.01 * 2.0_f64.powi(17), 0.5), (0.01 * 2.0_f64.powi(-17), 2.0)] {
             assert!((factor(error, 0.01) / expected - 1.0).abs() <= ROUNDING, "{error}");
         }
-        assert_eq!([factor(0.0, 0.01), factor(1e30, 0.01), factor(f64::NAN, 0.01)], [GROW, SHRINK, SHRINK]);
+        assert_eq!([factor(0.0, 0.01), factor(1e30, 0.01), factor(f64::NAN, 0.01)], [4.0, 0.2, 0.2]);
     }
 
     /// A rate of 0.4 asks for half the length, whatever the error.
@@ -85,8 +71,8 @@ mod tests {
     #[test]
     fn invariant_steps_do_not_grow_after_one_that_failed() {
         let mut control = GaussControl::default();
-        assert_eq!(control.failed(), DIVERGED);
-        assert_eq!([control.factor(1e-30, 0.01), control.factor(1e-30, 0.01)], [1.0, GROW]);
+        assert_eq!(control.failed(), 0.5);
+        assert_eq!([control.factor(1e-30, 0.01), control.factor(1e-30, 0.01)], [1.0, 4.0]);
         assert!(control.factor(2.0, 0.01) < 1.0);
         assert_eq!(control.factor(1e-30, 0.01), 1.0);
     }

@@ -1,8 +1,8 @@
 //! Step control.
 
-use super::convergence::MAX_PASSES;
 use crate::archive::Archive;
 use crate::integrate::Tolerance;
+use crate::integrate::tolerances::radau::{FIRST_REJECTED, GROW, KEEP, LEAST_ERROR, MAX_PASSES, SAFETY, SHRINK};
 
 /// The length of the next step from the errors of the last two and the passes that the iteration took.
 ///
@@ -18,18 +18,6 @@ pub(crate) struct RadauControl {
 
 /// Power of the step with which the estimate goes.
 const ESTIMATE_ORDER: f64 = 4.0;
-/// Steps are aimed at this part of the largest allowed error, less where the iteration is slow.
-const SAFETY: f64 = 0.9;
-/// A step changes at most by these factors.
-const SHRINK: f64 = 0.2;
-const GROW: f64 = 8.0;
-/// A step that would grow by less keeps its length and its factors.
-const KEEP: f64 = 1.2;
-/// Smallest error that is used for prediction.
-const LEAST_ERROR: f64 = 1e-2;
-/// The first step is a guess: what remains of it after a rejection.
-const FIRST_REJECTED: f64 = 0.1;
-
 /// Largest estimate for which values between steps are within a tolerance: the estimate is of order 4 in the step, their error
 /// of order 5.
 pub(crate) fn tolerance_of_estimate(tolerance: Tolerance) -> Tolerance {

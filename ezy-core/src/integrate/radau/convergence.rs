@@ -1,24 +1,7 @@
 //! When the simplified Newton iteration has converged.
 
 use crate::integrate::Tolerance;
-
-/// Largest number of Newton iterations of a step.
-pub(super) const MAX_PASSES: u32 = 7;
-/// The iteration ends when its error is below this part of the tolerance, or below the root of the tolerance.
-const PART: f64 = 0.03;
-/// Rounding of sums of some terms, in parts of the largest: changes and residuals below it are zero.
-pub(super) const ROUNDING: f64 = 10.0 * f64::EPSILON;
-/// Factor for the step after an iteration that diverges.
-pub(super) const SHORTEN: f64 = 0.5;
-/// Largest rate of convergence.
-const SLOWEST: f64 = 0.99;
-/// Exponent of the previous rate in the estimate for the first iteration.
-const FORGET: f64 = 0.8;
-/// The stages are also taken as solved when a pass has left at most this part of the residual. A stiff force that levels off makes
-/// passes with small changes that leave nearly all of it.
-const TRUSTED: f64 = 0.1;
-/// Rate of convergence that is assumed when one iteration sufficed.
-const AT_ONCE: f64 = 1e-3;
+use crate::integrate::tolerances::radau::{AT_ONCE, FORGET, MAX_PASSES, PART, ROUNDING, SHORTEN, SLOWEST, TRUSTED};
 
 /// Follows the changes of the passes of one iteration.
 ///

@@ -4,13 +4,9 @@ use super::entries::Entries;
 use super::stages::{Stages, add_combination};
 use super::tableau::{A, A_SQUARED, N_STAGES, Triple};
 use crate::dynamics::{Jacobians, ResidualPlaces};
+use crate::integrate::tolerances::radau::LARGEST_COUPLED;
 use crate::linalg::Lu;
 use crate::model::SceneInfo;
-
-/// Number of equations up to which all stages are solved together: dense factors of 240 unknowns take some milliseconds.
-/// Seven parallel cranks have 52 equations, and take 34 steps at 1e-6 with it and 295 without. Test:
-/// `analytic_seven_level_cranks_by_radau_are_a_pendulum_in_few_steps`.
-pub(super) const LARGEST_COUPLED: usize = 80;
 
 /// All three stages as one system of 3 (n_q + n_c + n_z) equations, with the Jacobians of each stage in its rows.
 ///

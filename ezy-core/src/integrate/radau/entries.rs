@@ -1,8 +1,8 @@
 //! Entries of the matrices of the simplified Newton iteration, before they are factored.
 
-use super::convergence::ROUNDING;
 use super::factors::Factors;
 use crate::dynamics::{Jacobians, ResidualPlaces, State};
+use crate::integrate::tolerances::radau::{DAMPING, ROUNDING};
 use crate::linalg::{SparseKktError, SparseNumber};
 use crate::model::{JacobianPlaces, SceneInfo};
 use nalgebra::{ComplexField, DMatrix};
@@ -49,10 +49,6 @@ struct Places {
     rates: Vec<usize>,
     by_z: Vec<usize>,
 }
-
-/// Diagonal entry of the rows of G, relative to the largest entry of the scaled row: far above the rounding of redundant rows,
-/// far below what would slow the iteration.
-const DAMPING: f64 = 1e-11;
 
 impl Entries {
     pub(super) fn new(info: &SceneInfo, jacobians: &ResidualPlaces) -> Self {

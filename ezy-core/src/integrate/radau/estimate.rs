@@ -1,13 +1,14 @@
 //! The end of a step, and an estimate of its error.
 
+use super::Radau;
 use super::control::values_over_estimate;
 use super::stages::{Stages, add_combination, combine};
 use super::tableau::{
     GAMMA, N_STAGES, NODES, START_SLOPE, UNSEEN, UNSEEN_INTEGRALS, UNSEEN_REMAINDER, UNSEEN_SECOND_INTEGRALS,
     UNSEEN_SLOPES,
 };
-use super::{Radau, STIFF};
 use crate::dynamics::{State, System};
+use crate::integrate::tolerances::radau::STIFF;
 use crate::integrate::{Node, Tolerance, compensated};
 use crate::model::SceneRef;
 

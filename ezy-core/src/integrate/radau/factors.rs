@@ -1,5 +1,6 @@
 //! Factors of a matrix of the simplified Newton iteration, dense or sparse.
 
+use crate::integrate::tolerances::radau::SPARSE_FROM;
 use crate::linalg::{HAS_SPARSE, Lu, SparseKktError, SparseLu, SparseNumber};
 use nalgebra::ComplexField;
 
@@ -8,10 +9,6 @@ pub(super) enum Factors<T: ComplexField<RealField = f64>> {
     Dense(Lu<T>),
     Sparse(Box<SparseLu<T>>),
 }
-
-/// Number of equations from which on sparse factors take less time: a chain of 25 equations takes as long either way, one of 50
-/// less than half, one of 100 a twentieth.
-const SPARSE_FROM: usize = 50;
 
 impl<T: ComplexField<RealField = f64> + SparseNumber> Factors<T> {
     /// Storage for a matrix with entries in `columns`, ascending in each row, which begin at `starts`.
@@ -61,5 +58,20 @@ impl<T: ComplexField<RealField = f64> + SparseNumber> Factors<T> {
             Self::Dense(lu) => lu.solve(right_side),
             Self::Sparse(lu) => lu.solve(right_side),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Dense factors of 49 equations, sparse ones of 50.
+    #[test]
+    fn regress_fifty_equations_have_sparse_factors() {
+        let is_sparse = |n: usize| {
+            let (starts, columns): (Vec<usize>, Vec<usize>) = ((0..=n).collect(), (0..n).collect());
+            matches!(Factors::<f64>::new(&starts, &columns).unwrap(), Factors::Sparse(_))
+        };
+        assert_eq!([49, 50].map(is_sparse), [false, HAS_SPARSE]);
     }
 }

@@ -19,9 +19,10 @@ use super::family::Sizes;
 use super::{Node, Tolerance};
 use crate::archive::Archive;
 use crate::dynamics::{Jacobians, MotionError, ResidualPlaces, Rows, State, System};
+use crate::integrate::tolerances::radau::{FAST, FIRST, LEAST_FIRST_S, N_COUPLED, SAME_STEP, SHORTEN};
 use crate::linalg::SparseKktError;
 use crate::model::{Scene, SceneRef};
-use convergence::{Convergence, SHORTEN, Verdict};
+use convergence::{Convergence, Verdict};
 use coupled::Coupled;
 use matrix::Matrices;
 use newton::Newton;
@@ -99,21 +100,6 @@ pub(crate) enum Attempt {
     },
 }
 
-/// Jacobians and factors are kept as long as a pass leaves less than this of the error.
-const FAST: f64 = 1e-3;
-/// Assumed rate of convergence when none is known.
-const SLOW: f64 = 1.0;
-/// Steps with coupled stages before the simplified iteration is tried again.
-const N_COUPLED: u32 = 20;
-/// Factors are reused for steps whose length differs by less than this part.
-const SAME_STEP: f64 = 1e-9;
-/// A step is stiff where forces by the Jacobians make this part of a residual: stages then have an order of their own, which is lower. Over the
-/// shipped scenes the part is below 0.2, with stiff bushings below 0.75.
-const STIFF: f64 = 0.5;
-/// First step, in parts of the time in which the state changes by its own size, and the least one, s.
-const FIRST: f64 = 1e-2;
-const LEAST_FIRST_S: f64 = 1e-6;
-
 impl Radau {
     /// Storage for steps of a scene with `n_works` works; none for one that does not know its Jacobians.
     ///
@@ -136,7 +122,7 @@ impl Radau {
             newton: Newton::new(n_q + n_c + n_z),
             coupled: Coupled::new(&info, &places),
             n_coupled: 0,
-            rate: SLOW,
+            rate: 1.0,
             share: 1.0,
             weights: vec![0.0; 2 * n_q + n_z],
             error: state.clone(),
@@ -181,7 +167,7 @@ impl Radau {
     pub(crate) fn turn(&mut self) {
         self.before_s = None;
         self.fresh = false;
-        self.rate = SLOW;
+        self.rate = 1.0;
         self.share = 1.0;
         self.n_coupled = 0;
     }
@@ -260,7 +246,7 @@ impl Radau {
         let mut coupled = self.coupled.take();
         let outcome = self.iterate(system, from.state, h, Convergence::new(tolerance, 1.0), coupled.as_mut());
         self.coupled = coupled;
-        (self.rate, self.share) = (SLOW, 1.0);
+        (self.rate, self.share) = (1.0, 1.0);
         Ok(outcome)
     }
 
@@ -298,7 +284,7 @@ impl Radau {
                 Verdict::GoOn => {}
                 Verdict::Converged => break,
                 Verdict::Diverged { factor } => {
-                    (self.rate, self.share) = (SLOW, 1.0);
+                    (self.rate, self.share) = (1.0, 1.0);
                     return Err(factor);
                 }
             }

@@ -45,6 +45,18 @@ crate::model! {
     }
 }
 
+crate::model! {
+    /// A puck whose two constraints say the same at the angle 0.
+    pub model Guided {
+        param w: m = 1;
+        body puck { mass: 1, inertia: 1 }
+        constraint wall: puck.x = 0;
+        constraint guide: puck.x + w * puck.phi^2 / 2 = 0;
+        start here { puck at (0, 0) angle 0; at rest; }
+        scene rests { start here; until 1 s; }
+    }
+}
+
 const H: f64 = 0.05;
 
 /// Central differences: rounding 1e-16 over a step of 1e-5 of numbers up to 1e2, and a third derivative of 1e2 times 1e-10.
@@ -167,6 +179,20 @@ fn solve_with_the_slope_of_the_residual<S: Scene>(scene: &S, within: f64) {
     let (re, im): (Vec<f64>, Vec<f64>) = (re, im);
     assert_close(&re, &x, within);
     assert_close(&im, &y, within);
+}
+
+/// A dependent row is held by its small diagonal.
+#[test]
+fn analytic_matrices_with_a_dependent_row_are_regular() {
+    let scene = guided::Rests::default();
+    let mut system = System::new(&scene, Backend::Dense).unwrap();
+    let places = ResidualPlaces::of(&scene).unwrap();
+    let (info, zeros) = (scene.info(), [0.0; 3]);
+    let mut jacobians = Jacobians::zero(&info, &places);
+    system.at(0.0, &zeros).jacobians(&zeros, &zeros, &[0.0; 2], &mut jacobians);
+    let mut matrices = Matrices::new(&info, &places).unwrap();
+    matrices.write(system.mass_matrix(), &jacobians);
+    assert!(matrices.factor(H));
 }
 
 #[test]

@@ -250,3 +250,18 @@ fn invariant_large_slopes_that_the_filter_hides_are_looked_at_again() {
     });
     assert_eq!(beside, on + 1);
 }
+
+/// From x = 0, where the slope of −s x³ is zero: passes without it go further away each time. This step and the nineteen after it are solved with
+/// slopes at every stage.
+#[test]
+fn regress_twenty_steps_have_slopes_at_every_stage_after_one_that_diverged() {
+    let scene = free::Hits::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut radau = Radau::new(&scene, 0).unwrap().unwrap();
+    let mut from = State::zero(3, 0);
+    from.v[0] = 1.0;
+    let mut to = from.clone();
+    let from = Node { state: &from, q_rate: &from.v, a: &[0.0; 3], rate: &[], power: &[] };
+    radau.attempt(&mut system, from, 1.0, TOLERANCE, &mut to).unwrap();
+    assert_eq!(radau.n_coupled, 19);
+}

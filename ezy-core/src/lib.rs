@@ -51,6 +51,8 @@
 //! - With the feature `sweep`, `sweep` runs thousands of cases on all cores, into files that survive a kill.
 //! - With the feature `analysis`, `dynamics::Gradients` gives exact derivatives of the equations of motion, of the rows and of the
 //!   outputs by positions, velocities, first-order states, inputs and parameters.
+//! - With the feature `analysis`, `analysis::SteadyMotion` finds rest and steady motions, and `analysis::Linearization` their linear
+//!   equations and eigenvalues.
 //! - With the feature `optimise`, `optimise::Fit` finds parameters from measurements and `optimise::Search` the best ones.
 //! - [`report`] prints equations, tables and, with the feature `figures`, plots; [`report::drawing`] draws the mechanism.
 //! - [`dynamics::System`] answers for one state: accelerations, multipliers, projections, energies.
@@ -68,6 +70,8 @@
 pub mod __private;
 mod access_to_derivatives;
 pub mod accuracy;
+#[cfg(feature = "analysis")]
+pub mod analysis;
 mod archive;
 #[cfg(feature = "cli")]
 pub mod cli;

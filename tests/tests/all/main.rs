@@ -32,6 +32,8 @@ mod hand_and_generated;
 mod hard;
 mod large;
 mod level_cranks;
+#[cfg(feature = "analysis")]
+mod linear;
 mod local_order;
 mod long_runs;
 mod massless;

@@ -1,0 +1,70 @@
+//! What an analysis cannot do.
+
+use crate::dynamics::{MotionError, StartError, SystemError};
+use crate::model::Name;
+use thiserror::Error;
+
+/// Why there is no result.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum AnalysisError {
+    /// The scene cannot be computed, or has no exact derivatives.
+    #[error(transparent)]
+    System(#[from] SystemError),
+    /// The start that was given cannot be assembled.
+    #[error("the start cannot be assembled: {0}")]
+    Start(#[from] StartError),
+    /// The equations of motion cannot be solved there.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// A scene with bodies in space.
+    #[error("scene `{scene}` has bodies in space; steady motions are found of planar bodies")]
+    Spatial {
+        /// Name of the scene.
+        scene: &'static str,
+    },
+    /// A name that is held is no unknown of the scene.
+    #[error(
+        "`{name}` is no coordinate, no first-order state and, where scene `{scene}` moves, no velocity of it: it cannot be held"
+    )]
+    UnknownHeld {
+        /// Name of the scene.
+        scene: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// What is left after the last step of the search.
+    #[error(
+        "no steady motion was found near the start of scene `{scene}`: {left:.3e} {unit} are left of {what} after {steps} steps; \
+         take a start that is nearer, or look at what `{what}` should be balanced by"
+    )]
+    NotFound {
+        /// Name of the scene.
+        scene: &'static str,
+        /// The equation that is left most, by its coordinate, row or state.
+        what: Name,
+        /// What is left of it.
+        left: f64,
+        /// Unit of that.
+        unit: &'static str,
+        /// How many steps were made.
+        steps: usize,
+    },
+    /// The motion is no steady one: seen from the frame, what is linearised changes.
+    #[error(
+        "the motion of scene `{scene}` is not steady: seen from its frame it changes by {change:.1e} of its rates; \
+         a force or a row depends on the time, the place or the heading"
+    )]
+    NotSteady {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Share of the largest rate.
+        change: f64,
+    },
+    /// Eigenvalues were not found.
+    #[error("the eigenvalues of scene `{scene}` were not found: an entry of its matrix is not finite")]
+    NoEigenvalues {
+        /// Name of the scene.
+        scene: &'static str,
+    },
+}

@@ -1,0 +1,159 @@
+//! The linear equations of small deviations, on the manifold of the constraints.
+
+use super::error::AnalysisError;
+use super::frame::Frame;
+use super::spectrum::Spectrum;
+use super::steady_motion::SteadyMotion;
+use super::tolerances::linear::{INDEPENDENT, STEADY};
+use crate::dynamics::{By, Gradients, Of, OperatingPoint, Rows, State, System};
+use crate::model::{SceneInfo, SceneRef};
+use nalgebra::{Complex, DMatrix};
+use std::sync::Arc;
+
+/// x' = A x + B u, y = C x + D u, in coordinates x of the tangent space of the constraints: deviations of q, v and z are `basis` x.
+///
+/// Seen from the frame of the steady motion, deviations satisfy C_q δq = 0 and (G v)_q δq + G δv = 0. The change of directions with
+/// positions counts, of reactions in K [δa; δλ] = R_x δx as well as of rows. In the turning frame δq' = δv − ω e_z × δq and
+/// δv' = δa − ω e_z × δv.
+#[derive(Debug, Clone)]
+pub struct Linearization {
+    info: Arc<SceneInfo>,
+    /// A, `n × n`, 1/s.
+    pub a: DMatrix<f64>,
+    /// B, `n × n_i`.
+    pub b: DMatrix<f64>,
+    /// C, `n_o × n`.
+    pub c: DMatrix<f64>,
+    /// D, `n_o × n_i`.
+    pub d: DMatrix<f64>,
+    /// Deviations of `n_q` coordinates, `n_v` velocities and `n_z` states by x; its columns are orthonormal.
+    pub basis: DMatrix<f64>,
+}
+
+impl Linearization {
+    /// About a steady motion of the system.
+    ///
+    /// # Errors
+    /// [`AnalysisError::NotSteady`] where what is linearised changes with time, place or heading.
+    pub fn of<P: SceneRef>(system: &mut System<P>, motion: &SteadyMotion) -> Result<Self, AnalysisError> {
+        let info = Arc::clone(system.info());
+        let mut gradients = Gradients::new(system)?;
+        let SteadyMotion { state: State { t, q, v, z, .. }, accelerations, multipliers, .. } = motion;
+        system.place_states(z);
+        let [n_q, n_h, n_c, n_z] = [info.n_coordinates(), info.n_position_rows, info.n_rows(), info.n_states()];
+        let at = OperatingPoint { fixed: system.fixed(), t: *t, q, v, accelerations, multipliers };
+        let mut derivatives = |of, by| {
+            let mut entries = vec![0.0; gradients.n_entries(of, by)];
+            gradients.write(&at, of, by, &mut entries);
+            DMatrix::from_vec(gradients.n_rows(of), gradients.n_columns(by), entries)
+        };
+        let states = [By::Positions, By::Velocities, By::States];
+        let n = 2 * n_q + n_z;
+        let joined = |parts: [DMatrix<f64>; 3]| {
+            let mut joined = DMatrix::zeros(parts[0].nrows(), n);
+            joined.columns_mut(0, n_q).copy_from(&parts[0]);
+            joined.columns_mut(n_q, n_q).copy_from(&parts[1]);
+            joined.columns_mut(2 * n_q, n_z).copy_from(&parts[2]);
+            joined
+        };
+        let mut rows = DMatrix::zeros(n_h + n_c, n);
+        rows.view_mut((0, 0), (n_h, n_q)).copy_from(&derivatives(Of::PositionRows, By::Positions));
+        rows.rows_mut(n_h, n_c).copy_from(&joined(states.map(|by| derivatives(Of::VelocityRows, by))));
+        let slopes = joined(states.map(|by| derivatives(Of::Motion, by)));
+        let by_inputs = derivatives(Of::Motion, By::Inputs);
+        let outputs = joined(states.map(|by| derivatives(Of::Outputs, by)));
+        let d = derivatives(Of::Outputs, By::Inputs);
+
+        let basis = null_space(rows);
+        let along = along(motion, n);
+        let changes = rates(system, motion, &along, &(&slopes * &along))?;
+        let rates = rates(system, motion, &basis, &(&slopes * &basis))?;
+        let a = basis.tr_mul(&rates);
+        let left = (&rates - &basis * &a).amax().max(changes.amax() / along.amax().max(f64::MIN_POSITIVE));
+        let change = left / rates.amax().max(f64::MIN_POSITIVE);
+        if change > STEADY {
+            return Err(AnalysisError::NotSteady { scene: info.name, change });
+        }
+        let still = SteadyMotion { frame: Frame::default(), ..motion.clone() };
+        let zeros = DMatrix::zeros(n, by_inputs.ncols());
+        let b = basis.tr_mul(&self::rates(system, &still, &zeros, &by_inputs)?);
+        Ok(Self { info, a, b, c: outputs * &basis, d, basis })
+    }
+
+    /// Names and sizes of the scene.
+    pub fn info(&self) -> &Arc<SceneInfo> {
+        &self.info
+    }
+
+    /// The response G(s) = C (s − A)⁻¹ B + D, `n_o × n_i`; none where s is an eigenvalue.
+    pub fn response(&self, s: Complex<f64>) -> Option<DMatrix<Complex<f64>>> {
+        let complex = |x: &DMatrix<f64>| x.map(|x| Complex::new(x, 0.0));
+        let n = self.a.nrows();
+        let resolvent = (DMatrix::identity(n, n) * s - complex(&self.a)).lu();
+        Some(complex(&self.c) * resolvent.solve(&complex(&self.b))? + complex(&self.d))
+    }
+
+    /// The eigenvalues of A.
+    ///
+    /// # Errors
+    /// [`AnalysisError::NoEigenvalues`].
+    pub fn spectrum(&self) -> Result<Spectrum, AnalysisError> {
+        Spectrum::of(&self.a).ok_or(AnalysisError::NoEigenvalues { scene: self.info.name })
+    }
+}
+
+/// The deviation that a while of the frame's motion is: what is steady does not change with it.
+fn along(motion: &SteadyMotion, n: usize) -> DMatrix<f64> {
+    let SteadyMotion { state: State { q, v, .. }, frame, .. } = motion;
+    let mut along = DMatrix::zeros(n, 1);
+    let (of_q, rest) = along.as_mut_slice().split_at_mut(q.len());
+    frame.carry(q, of_q);
+    frame.turn(v, &mut rest[..v.len()]);
+    along
+}
+
+/// Rates of the deviations `basis`, one a column, where R changes by `slopes` with them.
+fn rates<P: SceneRef>(
+    system: &mut System<P>,
+    motion: &SteadyMotion,
+    basis: &DMatrix<f64>,
+    slopes: &DMatrix<f64>,
+) -> Result<DMatrix<f64>, AnalysisError> {
+    let SteadyMotion { state: State { t, q, .. }, frame, .. } = motion;
+    let (n_q, n_c) = (system.info().n_velocities(), system.info().n_rows());
+    let mut rates = DMatrix::zeros(basis.nrows(), basis.ncols());
+    let (mut turned, mut a, mut lambda) = (vec![0.0; n_q], vec![0.0; n_q], vec![0.0; n_c]);
+    let mut at = system.at_with(*t, q, Rows::Projected);
+    at.factor()?;
+    for (j, mut rate) in rates.column_iter_mut().enumerate() {
+        let (deviation, slope) = (basis.column(j), slopes.column(j));
+        let slope = slope.as_slice();
+        // K [δa; δλ] = R_x δx
+        at.solve(&slope[..n_q], &slope[n_q..n_q + n_c], &mut a, &mut lambda);
+        let deviation = deviation.as_slice();
+        frame.turn(&deviation[..n_q], &mut turned);
+        (0..n_q).for_each(|i| rate[i] = deviation[n_q + i] - turned[i]);
+        frame.turn(&deviation[n_q..2 * n_q], &mut turned);
+        (0..n_q).for_each(|i| rate[n_q + i] = a[i] - turned[i]);
+        slope[n_q + n_c..].iter().enumerate().for_each(|(i, slope)| rate[2 * n_q + i] = *slope);
+    }
+    Ok(rates)
+}
+
+/// An orthonormal basis of what all rows leave.
+fn null_space(mut rows: DMatrix<f64>) -> DMatrix<f64> {
+    let n = rows.ncols();
+    for mut row in rows.row_iter_mut() {
+        let norm = row.norm();
+        if norm > 0.0 {
+            row /= norm;
+        }
+    }
+    // square, so that all right singular vectors are there
+    let mut square = DMatrix::zeros(rows.nrows().max(n), n);
+    square.rows_mut(0, rows.nrows()).copy_from(&rows);
+    let svd = square.svd(false, true);
+    let (largest, v_t) = (svd.singular_values.max(), svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n)));
+    let left: Vec<usize> = (0..n).filter(|&i| svd.singular_values[i] <= INDEPENDENT * largest).collect();
+    v_t.select_rows(&left).transpose()
+}

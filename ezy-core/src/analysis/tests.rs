@@ -1,0 +1,143 @@
+//! Against closed forms.
+
+use super::{AnalysisError, Linearization, Spectrum, SteadyMotion};
+use crate::dynamics::System;
+use crate::linalg::Backend;
+use nalgebra::DMatrix;
+
+crate::model! {
+    /// A rod on a pin, with friction in it.
+    pub model Rod {
+        param l: m = 0.5; param m: kg = 2; param i: kg*m^2 = 0.1; param g: m/s^2 = 9.81; param c: N*m*s = 0.3;
+        input torque: N*m = 0;
+        body rod { mass: m, inertia: i }
+        hinge pin: ground(0, 0) ~ rod(-l, 0);
+        torsion ground ~ rod: stiffness 0, angle 0, damping c;
+        torque rod: torque;
+        gravity (0, -g);
+        output angle: rad = rod.phi;
+        start hanging { rod angle -1.2; at rest; }
+        start standing { rod angle 1.3; at rest; }
+        scene hangs { start hanging; until 1 s; }
+        scene stands { start standing; until 1 s; }
+    }
+}
+
+/// φ'' = −(c φ' ± m g l sin φ)/(i + m l²) from the lower position, and from the upper one.
+#[test]
+fn analytic_rod_hangs_and_stands() {
+    let (l, m, i, g, c) = (0.5, 2.0, 0.1, 9.81, 0.3);
+    let inertia: f64 = i + m * l * l;
+    let (delta, omega2) = (c / (2.0 * inertia), m * g * l / inertia);
+    let scenes: [(&dyn crate::model::Scene, f64); 2] = [(&rod::Hangs::default(), -1.0), (&rod::Stands::default(), 1.0)];
+    for (scene, side) in scenes {
+        let mut system = System::new(scene, Backend::Auto).unwrap();
+        let start = system.scene_start();
+        let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
+        assert!((rest.state.q[2] - side * std::f64::consts::FRAC_PI_2).abs() <= 1e-13, "{rest:?}");
+        assert!(rest.free.is_empty(), "{:?}", rest.free);
+        assert!((rest.multipliers[1].abs() - m * g).abs() <= 1e-12, "{rest:?}");
+        let linear = Linearization::of(&mut system, &rest).unwrap();
+        let spectrum = linear.spectrum().unwrap();
+        let root = nalgebra::Complex::new(delta * delta + side * omega2, 0.0).sqrt();
+        for (found, exact) in spectrum.eigenvalues.iter().zip([root - delta, -root - delta]) {
+            assert!((found - exact).norm() <= 1e-12 * omega2, "{found} for {exact}");
+        }
+        assert_eq!((spectrum.n_zero, spectrum.n_unstable()), (0, usize::from(side > 0.0)));
+        // a constant torque turns it by 1/stiffness
+        let gain = linear.response(nalgebra::Complex::new(0.0, 0.0)).unwrap()[(0, 0)];
+        assert!((gain.re + side / (m * g * l)).abs() <= 1e-12 && gain.im == 0.0, "{gain}");
+    }
+}
+
+/// Without friction the eigenvalues of the hanging rod are on the axis, and rounding is no instability.
+#[test]
+fn analytic_rod_without_friction_is_neutral() {
+    let scene = rod::Hangs { c: 0.0, ..rod::Hangs::default() };
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
+    let spectrum = Linearization::of(&mut system, &rest).unwrap().spectrum().unwrap();
+    assert_eq!((spectrum.eigenvalues.len(), spectrum.n_unstable()), (2, 0), "{spectrum:?}");
+}
+
+crate::model! {
+    /// A block that a constant force pulls along a rail.
+    pub model Pulled {
+        param f: N = 3;
+        body block { mass: 2, inertia: 1 }
+        slider rail: ground(0, 0) ~ block(0, 0) along ground(1, 0);
+        force at block(0, 0): (f, 0);
+        start still { at rest; }
+        start moving { block velocity (1, 0); }
+        scene rests { start still; until 1 s; }
+        scene runs { start moving; until 1 s; }
+    }
+}
+
+/// Nothing balances the force: it is named, with its size.
+#[test]
+fn invariant_motion_that_is_not_steady_names_what_is_left() {
+    let scenes: [&dyn crate::model::Scene; 2] = [&pulled::Rests::default(), &pulled::Runs::default()];
+    for scene in scenes {
+        let mut system = System::new(scene, Backend::Auto).unwrap();
+        let start = system.scene_start();
+        let error = SteadyMotion::near(&mut system, &start, &[]).unwrap_err();
+        let AnalysisError::NotFound { what, left, unit, .. } = &error else { panic!("{error}") };
+        assert!(what == "block.x" && (left - 3.0).abs() <= 1e-9 && *unit == "N", "{error}");
+    }
+    let scene = pulled::Rests { f: 0.0 };
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    assert_eq!(SteadyMotion::near(&mut system, &start, &[]).unwrap().free, ["block.x"]);
+    let error = SteadyMotion::near(&mut system, &start, &["block.vx"]).unwrap_err();
+    assert!(matches!(&error, AnalysisError::UnknownHeld { name, .. } if name == "block.vx"), "{error}");
+}
+
+crate::model! {
+    /// A disk on a pin that turns evenly, with a weight on its edge that a spring to the ground pulls.
+    pub model Turning {
+        param k: N/m = 0;
+        body disk { mass: 1, inertia: 1 }
+        hinge pin: ground(0, 0) ~ disk(-1, 0);
+        spring ground(5, 0) ~ disk(0, 0): stiffness k, length 1;
+        start turns { disk angle 0 rate 2; }
+        scene turns { start turns; until 1 s; }
+    }
+}
+
+/// Seen from the turning frame the pin is at rest; a spring to a point of the ground is not.
+#[test]
+fn invariant_motion_that_turns_with_the_ground_is_not_steady() {
+    let free = turning::Turns::default();
+    let mut system = System::new(&free, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap();
+    assert!((motion.frame.omega - 2.0).abs() <= 1e-14 && motion.free.len() == 2, "{motion:?}");
+    let spectrum = Linearization::of(&mut system, &motion).unwrap().spectrum().unwrap();
+    assert_eq!((spectrum.n_zero, spectrum.zero_blocks), (2, vec![2]));
+    // at this instant the spring points to the pin, and everything balances
+    let scene = turning::Turns { k: 10.0 };
+    let mut pulled = System::new(&scene, Backend::Auto).unwrap();
+    let motion = SteadyMotion::near(&mut pulled, &start, &["disk.phi", "disk.omega"]).unwrap();
+    let error = Linearization::of(&mut pulled, &motion).unwrap_err();
+    assert!(matches!(error, AnalysisError::NotSteady { .. }), "{error}");
+}
+
+/// n equal integrators are one block of n, whatever basis they are told in; the eigenvalues beside them stay sharp.
+#[test]
+fn analytic_chain_of_zeros_is_one_block() {
+    let mut chain = DMatrix::zeros(6, 6);
+    for i in 0..4 {
+        chain[(i, i + 1)] = 1.0;
+    }
+    (chain[(4, 4)], chain[(5, 5)], chain[(5, 0)]) = (-3.0, 2.0, 1.0);
+    let basis = DMatrix::from_fn(6, 6, |i, j| ((i * 7 + j * 3) as f64).sin() + if i == j { 3.0 } else { 0.0 });
+    let inverse = basis.clone().try_inverse().unwrap();
+    let spectrum = Spectrum::of(&(&basis * chain * inverse)).unwrap();
+    assert_eq!((spectrum.n_zero, &spectrum.zero_blocks[..]), (4, &[4][..]), "{spectrum:?}");
+    for (found, exact) in spectrum.eigenvalues.iter().zip([2.0, -3.0]) {
+        assert!((found.re - exact).abs() <= 1e-11 && found.im == 0.0, "{spectrum:?}");
+    }
+    assert!(Spectrum::of(&DMatrix::from_element(1, 1, f64::NAN)).is_none());
+}

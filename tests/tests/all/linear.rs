@@ -1,0 +1,280 @@
+//! Steady motions, eigenvalues and responses, against closed forms.
+
+use ezy_core::analysis::{Linearization, SteadyMotion};
+use ezy_core::dynamics::System;
+use ezy_core::linalg::Backend;
+use ezy_core::model;
+use ezy_core::prelude::*;
+use nalgebra::Complex;
+use serde_json::Value;
+
+/// Of positions, velocities and multipliers, as a share of the largest one.
+const STEADY: f64 = 1e-11;
+/// Of eigenvalues, as a share of the largest one: what rounding of the matrix makes of them, measured as 1.2e-13 for these.
+const EIGENVALUES: f64 = 1e-10;
+/// A double eigenvalue splits by the root of rounding.
+const DOUBLE: f64 = 1e-7;
+/// Of responses, as a share of the largest one.
+const RESPONSE: f64 = 1e-9;
+
+model! {
+    /// Two bodies on a hinge with a spring, and a skate each: the EzyRoller and the roller racer.
+    pub model Roller {
+        param a: m = 0.2; param b: m = 0.6; param c: m = 0.1; param d: m = 0.1;
+        param m1: kg = 46; param i1: kg*m^2 = 10; param m2: kg = 1; param i2: kg*m^2 = 0.005;
+        param k: N*m = 0; param cd: N*m*s = 0; param e: rad = 0;
+        input pump: N*m = 0;
+        body seat { mass: m1, inertia: i1 }
+        body bar { mass: m2, inertia: i2 }
+        hinge B: seat(b, 0) ~ bar(-d, 0);
+        skate rear: at seat(-a, 0) along seat(1, 0);
+        skate front: at bar(c, 0) along bar(1, 0);
+        torsion seat ~ bar: stiffness k, angle e, damping cd;
+        torque seat ~ bar: pump;
+        output hinge_angle: rad = bar.phi - seat.phi;
+        output hinge_rate: rad/s = bar.omega - seat.omega;
+        output seat_rate: rad/s = seat.omega;
+        start still { seat at (0, 0) angle 0; at rest; }
+        scene runs { start still; until 1 s; }
+    }
+}
+
+model! {
+    /// Chaplygin's sleigh with a thrust and drag.
+    pub model Sleigh {
+        param m: kg = 1; param j: kg*m^2 = 1; param a: m = 1; param k: N*s/m = 0; param kw: N*m*s = 0;
+        input thrust: N = 0; input turn: N*m = 0;
+        body sleigh { mass: m, inertia: j }
+        skate edge: at sleigh(-a, 0) along sleigh(1, 0);
+        force at sleigh(-a, 0) along sleigh(1, 0): thrust;
+        torque sleigh: turn - kw*sleigh.omega;
+        drag at sleigh(0, 0): linear k;
+        output turn_rate: rad/s = sleigh.omega;
+        output speed: m/s = cos(sleigh.phi)*sleigh.vx + sin(sleigh.phi)*sleigh.vy;
+        start still { sleigh at (0, 0) angle 0; at rest; }
+        scene runs { start still; until 1 s; }
+    }
+}
+
+model! {
+    /// A car on two tyres.
+    pub model Car {
+        param m: kg = 1500; param i: kg*m^2 = 2500; param a: m = 1.2; param b: m = 1.5; param cf: N/rad = 8e4; param cr: N/rad = 9e4;
+        input delta: rad = 0; input side: N = 0;
+        body car { mass: m, inertia: i }
+        point F = car(a, 0);
+        force at F along car(0, 1): -cf*(slip_angle(F, car) - delta);
+        tyre at car(-b, 0) along car(1, 0): stiffness cr;
+        force at car(0, 0) along car(0, 1): side;
+        output yaw_rate: rad/s = car.omega;
+        output lateral_velocity: m/s = -sin(car.phi)*car.vx + cos(car.phi)*car.vy;
+        start still { car at (0, 0) angle 0; at rest; }
+        scene runs { start still; until 1 s; }
+    }
+}
+
+model! {
+    /// A car with a trailer.
+    pub model Towed {
+        param m1: kg = 1500; param i1: kg*m^2 = 2500; param a: m = 1.2; param b: m = 1.5; param h: m = 2.4;
+        param cf: N/rad = 9e4; param cr: N/rad = 1.1e5;
+        param m2: kg = 1000; param i2: kg*m^2 = 1800; param d: m = 3; param l: m = 3.3; param ct: N/rad = 6e4; param ch: N*m*s = 0;
+        input delta: rad = 0;
+        body car { mass: m1, inertia: i1 }
+        body trailer { mass: m2, inertia: i2 }
+        hinge hitch: car(-h, 0) ~ trailer(d, 0);
+        point F = car(a, 0);
+        force at F along car(0, 1): -cf*(slip_angle(F, car) - delta);
+        tyre at car(-b, 0) along car(1, 0): stiffness cr;
+        tyre at trailer(d - l, 0) along trailer(1, 0): stiffness ct;
+        torsion car ~ trailer: stiffness 0, angle 0, damping ch;
+        output yaw_rate: rad/s = car.omega;
+        output hitch_angle: rad = trailer.phi - car.phi;
+        output trailer_yaw_rate: rad/s = trailer.omega;
+        start still { car at (0, 0) angle 0; trailer angle 0; at rest; }
+        scene runs { start still; until 1 s; }
+    }
+}
+
+fn table(text: &str) -> Value {
+    serde_json::from_str(text).expect("a table")
+}
+
+fn number(value: &Value) -> f64 {
+    let text = value.as_str().expect("a number as text");
+    if text == "pi" { std::f64::consts::PI } else { text.parse().expect("a number") }
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+/// Sets parameters of these names in the table, where the model has them.
+fn set<S: Scene>(scene: &mut S, tables: &[&Value]) {
+    let info = scene.info();
+    for (name, value) in tables.iter().flat_map(|table| table.as_object().into_iter().flatten()) {
+        let place = info.parameters.iter().position(|parameter| parameter.name == name.to_lowercase());
+        if let Some((place, text)) = place.zip(value.as_str()) {
+            scene.set_parameter(place, number(&Value::from(text)));
+        }
+    }
+}
+
+/// The steady motion of an entry is found from itself; it has these eigenvalues, zeros and responses.
+fn check<S: Scene>(scene: &S, inputs: &[(&str, f64)], entry: &Value, tolerance: f64) {
+    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let info = system.info().clone();
+    for (name, value) in inputs {
+        let place = info.inputs.iter().position(|input| input.name == *name).expect("an input");
+        system.inputs_mut()[place] = *value;
+    }
+    let mut start = system.scene_start();
+    for (i, body) in info.bodies.iter().enumerate() {
+        let values = &entry["steady"]["bodies"][&**body];
+        for part in 0..3 {
+            start.give_position(3 * i + part, number(&values[part]));
+            start.give_velocity(3 * i + part, number(&values[3 + part]));
+        }
+    }
+    // the numbers are rounded
+    let expected = start.clone();
+    start.give_way();
+    let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap_or_else(|error| panic!("{error}: {entry}"));
+    let largest = expected.q.iter().chain(&expected.v).fold(1.0, |m: f64, x| m.max(x.abs()));
+    let found = motion.state.q.iter().chain(&motion.state.v);
+    for (found, expected) in found.zip(expected.q.iter().chain(&expected.v)) {
+        assert!((found - expected).abs() <= STEADY * largest, "{found} for {expected}: {motion:?}");
+    }
+    let multipliers = info.rows.iter().map(|row| number(&entry["steady"]["multipliers"][&*row.name]));
+    let multipliers: Vec<f64> = multipliers.collect();
+    let largest = multipliers.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
+    for (found, expected) in motion.multipliers.iter().zip(&multipliers) {
+        assert!((found - expected).abs() <= STEADY * largest, "{found} for {expected}: {motion:?}");
+    }
+
+    let linear = Linearization::of(&mut system, &motion).unwrap();
+    let spectrum = linear.spectrum().unwrap();
+    let zeros = &entry["zero_eigenvalues"];
+    assert_eq!(Some(spectrum.n_zero as u64), zeros["count"].as_u64(), "{spectrum:?} for {zeros}");
+    let mut blocks: Vec<u64> = list(&zeros["jordan_blocks"]).iter().filter_map(Value::as_u64).collect();
+    blocks.sort_by(|a, b| b.cmp(a));
+    assert_eq!(spectrum.zero_blocks.iter().map(|n| *n as u64).collect::<Vec<_>>(), blocks, "{zeros}");
+    let expected = list(&entry["eigenvalues"]).iter().map(|s| Complex::new(number(&s[0]), number(&s[1])));
+    let mut expected: Vec<Complex<f64>> = expected.collect();
+    let largest = expected.iter().fold(0.0, |m: f64, s| m.max(s.norm()));
+    assert_eq!(spectrum.eigenvalues.len(), expected.len(), "{spectrum:?}");
+    for found in &spectrum.eigenvalues {
+        let nearest =
+            (0..expected.len()).min_by(|&i, &j| (expected[i] - found).norm().total_cmp(&(expected[j] - found).norm()));
+        let exact = expected.swap_remove(nearest.expect("one is left"));
+        assert!((found - exact).norm() <= tolerance * largest, "{found} for {exact}");
+    }
+    assert_eq!(Some(spectrum.n_unstable() as u64), entry["unstable"].as_u64(), "{spectrum:?}");
+
+    let response = &entry["response"];
+    let place = |of: &Value, all: &[&str]| all.iter().position(|name| Some(*name) == of.as_str());
+    let outputs: Vec<&str> = info.outputs.iter().map(|output| &*output.name).collect();
+    let inputs: Vec<&str> = info.inputs.iter().map(|input| input.name).collect();
+    for sample in list(&response["samples"]) {
+        let g = linear.response(Complex::new(0.0, number(&sample["omega"]))).expect("no eigenvalue");
+        let largest = g.iter().fold(0.0, |m: f64, g| m.max(g.norm()));
+        for (i, output) in list(&response["outputs"]).iter().enumerate() {
+            for (j, input) in list(&response["inputs"]).iter().enumerate() {
+                let Some((output, input)) = place(output, &outputs).zip(place(input, &inputs)) else { continue };
+                let of = &sample["G"][i][j];
+                let exact = Complex::new(number(&of[0]), number(&of[1]));
+                let found = g[(output, input)];
+                assert!((found - exact).norm() <= RESPONSE * largest, "{found} for {exact} of {output} by {input}");
+            }
+        }
+    }
+}
+
+/// Every entry of every set of a table.
+fn check_all<S: Scene + Default>(text: &str, inputs: impl Fn(&Value) -> Vec<(&'static str, f64)>) -> usize {
+    let table = table(text);
+    let mut n = 0;
+    for of in list(&table["sets"]) {
+        let entries = list(&of["entries"]).iter().chain(list(&of["speeds"]));
+        // a set may be one motion
+        let alone = Some(of).filter(|of| !of["steady"].is_null());
+        for entry in entries.chain(alone) {
+            let mut scene = S::default();
+            set(&mut scene, &[&of["parameters"], entry]);
+            if let Some(psi0) = entry["psi0"].as_str() {
+                let place =
+                    scene.info().parameters.iter().position(|p| p.name == "e").expect("the angle of the spring");
+                scene.set_parameter(place, number(&Value::from(psi0)));
+            }
+            let is_double = entry.to_string().contains("double");
+            check(&scene, &inputs(of), entry, if is_double { DOUBLE } else { EIGENVALUES });
+            n += 1;
+        }
+    }
+    n
+}
+
+#[test]
+fn analytic_ezyroller_runs_straight() {
+    assert!(check_all::<roller::Runs>(include_str!("../../answers/linear/ezyroller_straight.json"), |_| vec![]) > 20);
+}
+
+#[test]
+fn analytic_ezyroller_runs_on_circles() {
+    assert_eq!(check_all::<roller::Runs>(include_str!("../../answers/linear/ezyroller_circle.json"), |_| vec![]), 4);
+}
+
+/// From a start beside it, with the place, the heading and the speed of the table held, the same circle is found.
+#[test]
+fn analytic_roller_keeps_to_a_circle_that_is_held() {
+    let table = table(include_str!("../../answers/linear/ezyroller_circle.json"));
+    let of = &table["sets"][2];
+    let mut scene = roller::Runs::default();
+    set(&mut scene, &[&of["parameters"]]);
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let [seat, bar] =
+        ["seat", "bar"].map(|body| [0, 1, 2, 3, 4, 5].map(|part| number(&of["steady"]["bodies"][body][part])));
+    let mut start = system.scene_start();
+    for part in 0..3 {
+        start.give_position(part, seat[part]);
+        start.give_velocity(part, seat[3 + part]);
+    }
+    start.give_position(5, bar[2] + 0.1);
+    start.give_velocity(5, bar[5]);
+    start.near_position(3, bar[0]);
+    start.near_position(4, bar[1]);
+    (1..3).for_each(|part| start.near_velocity(part, seat[3 + part]));
+    (3..6).for_each(|i| start.near_velocity(i, bar[i]));
+    let motion = SteadyMotion::near(&mut system, &start, &["seat.x", "seat.y", "seat.phi", "seat.vx"]).unwrap();
+    assert!(
+        (motion.state.q[5] - bar[2]).abs() <= STEADY && (motion.frame.omega - seat[5]).abs() <= STEADY,
+        "{motion:?}"
+    );
+    assert!(motion.n_steps > 1 && motion.free.is_empty(), "{motion:?}");
+    let free = SteadyMotion::near(&mut system, &start, &[]).unwrap().free;
+    assert_eq!(free.len(), 4, "place, heading and speed: {free:?}");
+}
+
+#[test]
+fn analytic_roller_racer_runs_straight() {
+    assert!(check_all::<roller::Runs>(include_str!("../../answers/linear/roller_racer.json"), |_| vec![]) > 4);
+}
+
+#[test]
+fn analytic_sleigh_runs_straight_and_on_circles() {
+    let inputs = |of: &Value| {
+        let [m, a, v, w, k, kw] = ["m", "a", "v", "w", "k", "kw"].map(|name| number(&of["parameters"][name]));
+        vec![("thrust", k * v - m * a * w * w), ("turn", m * a * v * w + (k * a * a + kw) * w)]
+    };
+    assert_eq!(check_all::<sleigh::Runs>(include_str!("../../answers/linear/sleigh.json"), inputs), 7);
+}
+
+#[test]
+fn analytic_car_on_linear_tyres() {
+    assert!(check_all::<car::Runs>(include_str!("../../answers/linear/car.json"), |_| vec![]) > 10);
+}
+
+#[test]
+fn analytic_trailer_sways() {
+    assert!(check_all::<towed::Runs>(include_str!("../../answers/linear/car_and_trailer.json"), |_| vec![]) > 10);
+}

@@ -18,7 +18,7 @@ pub use crate::model::{
     EliminationStep, Equation, Equations, EventInfo, EventKind, Formula, InputInfo, JacobianPlaces, List, LoadKind,
     LocalVector, ModelInfo, Name, NamedInputs, NamedScene, NoInputs, NoOutputs, Operations, OutputArray, OutputInfo,
     ParameterInfo, PointInfo, RowInfo, Scene, SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start, StateInfo,
-    StickSlipInfo, StopInfo, Vector,
+    StickSlipInfo, StopInfo, SwitchInfo, Vector,
 };
 pub use crate::scalar::Scalar;
 pub use ezy_derive::model as derive_model;

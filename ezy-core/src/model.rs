@@ -177,6 +177,19 @@ pub struct PointInfo {
     pub position: Option<[Formula; 2]>,
 }
 
+/// A number that says how the row of a skate with a limit, or of a stop, takes part. A run sets it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SwitchInfo {
+    /// Index of the row in [`SceneInfo::rows`].
+    pub row: usize,
+    /// Name in equations.
+    pub name: &'static str,
+    /// Value at the start.
+    pub start: f64,
+    /// What it says.
+    pub documentation: &'static str,
+}
+
 /// An effect that the scene calls for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct EffectInfo {
@@ -275,10 +288,13 @@ pub trait Scene: Derived {
     /// Changes parameter `index`; constants computed before are then out of date.
     fn set_parameter(&mut self, index: usize, value: f64);
 
-    /// Present values of [`SceneInfo::parameters`], then [`SceneInfo::switches`], for [`Equations::constants`].
+    /// Present values of [`SceneInfo::parameters`], then those that [`SceneInfo::switches`] start with, for [`Equations::constants`].
     fn parameters(&self) -> Vec<f64> {
         let info = self.info();
-        (0..info.parameters.len()).map(|i| self.parameter(i)).chain(info.switches.iter().copied()).collect()
+        (0..info.parameters.len())
+            .map(|i| self.parameter(i))
+            .chain(info.switches.iter().map(|switch| switch.start))
+            .collect()
     }
 
     /// Start values of the scene.

@@ -43,7 +43,7 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     states: &[],
     outputs: List::Borrowed(&[]),
     events: &[],
-    stick_slip: None,
+    limited_skates: &[],
     stop: None,
     switches: &[],
     effects: &[],

@@ -1,5 +1,6 @@
 //! The linear equations of small deviations, on the manifold of the constraints.
 
+use super::derivatives;
 use super::error::AnalysisError;
 use super::frame::Frame;
 use super::spectrum::Spectrum;
@@ -18,13 +19,16 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct Linearization {
     info: Arc<SceneInfo>,
+    /// Names of the inputs u. Those `by acceleration` are none of them: rows may read them, and then they move the manifold of the constraints
+    /// itself.
+    pub inputs: Vec<&'static str>,
     /// A, `n × n`, 1/s.
     pub a: DMatrix<f64>,
-    /// B, `n × n_i`.
+    /// B, `n ×` the number of inputs.
     pub b: DMatrix<f64>,
     /// C, `n_o × n`.
     pub c: DMatrix<f64>,
-    /// D, `n_o × n_i`.
+    /// D, `n_o ×` the number of inputs.
     pub d: DMatrix<f64>,
     /// Deviations of `n_q` coordinates, `n_v` velocities and `n_z` states by x; its columns are orthonormal.
     pub basis: DMatrix<f64>,
@@ -42,11 +46,7 @@ impl Linearization {
         system.place_states(z);
         let [n_q, n_h, n_c, n_z] = [info.n_coordinates(), info.n_position_rows, info.n_rows(), info.n_states()];
         let at = OperatingPoint { fixed: system.fixed(), t: *t, q, v, accelerations, multipliers };
-        let mut derivatives = |of, by| {
-            let mut entries = vec![0.0; gradients.n_entries(of, by)];
-            gradients.write(&at, of, by, &mut entries);
-            DMatrix::from_vec(gradients.n_rows(of), gradients.n_columns(by), entries)
-        };
+        let mut derivatives = |of, by| derivatives(&mut gradients, &at, of, by);
         let states = [By::Positions, By::Velocities, By::States];
         let n = 2 * n_q + n_z;
         let joined = |parts: [DMatrix<f64>; 3]| {
@@ -60,9 +60,17 @@ impl Linearization {
         rows.view_mut((0, 0), (n_h, n_q)).copy_from(&derivatives(Of::PositionRows, By::Positions));
         rows.rows_mut(n_h, n_c).copy_from(&joined(states.map(|by| derivatives(Of::VelocityRows, by))));
         let slopes = joined(states.map(|by| derivatives(Of::Motion, by)));
-        let by_inputs = derivatives(Of::Motion, By::Inputs);
+        let is_part = |input: &usize| {
+            info.integrated_inputs.iter().any(|&first| {
+                let [value, _, since] = SceneInfo::integrated_places(first);
+                (value..=since).contains(input)
+            })
+        };
+        let inputs: Vec<usize> = (0..info.n_inputs()).filter(|input| !is_part(input)).collect();
+        let by_inputs = derivatives(Of::Motion, By::Inputs).select_columns(&inputs);
         let outputs = joined(states.map(|by| derivatives(Of::Outputs, by)));
-        let d = derivatives(Of::Outputs, By::Inputs);
+        let d = derivatives(Of::Outputs, By::Inputs).select_columns(&inputs);
+        let inputs = inputs.into_iter().map(|input| info.inputs[input].name).collect();
 
         let basis = null_space(rows);
         let along = along(motion, n);
@@ -77,7 +85,7 @@ impl Linearization {
         let still = SteadyMotion { frame: Frame::default(), ..motion.clone() };
         let zeros = DMatrix::zeros(n, by_inputs.ncols());
         let b = basis.tr_mul(&self::rates(system, &still, &zeros, &by_inputs)?);
-        Ok(Self { info, a, b, c: outputs * &basis, d, basis })
+        Ok(Self { info, inputs, a, b, c: outputs * &basis, d, basis })
     }
 
     /// Names and sizes of the scene.
@@ -85,7 +93,7 @@ impl Linearization {
         &self.info
     }
 
-    /// The response G(s) = C (s − A)⁻¹ B + D, `n_o × n_i`; none where s is an eigenvalue.
+    /// The response G(s) = C (s − A)⁻¹ B + D of the outputs to the inputs; none where s is an eigenvalue.
     pub fn response(&self, s: Complex<f64>) -> Option<DMatrix<Complex<f64>>> {
         let complex = |x: &DMatrix<f64>| x.map(|x| Complex::new(x, 0.0));
         let n = self.a.nrows();

@@ -6,7 +6,7 @@
 //! | [`Linearization`] | x' = A x + B u, y = C x + D u about it, on the manifold of the constraints |
 //! | [`Spectrum`] | eigenvalues, with those that are zero told apart |
 //!
-//! Derivatives are exact ([`Gradients`](crate::dynamics::Gradients)). Knows nothing of steps and of files.
+//! Derivatives are exact ([`Gradients`]). Knows nothing of steps and of files.
 
 mod error;
 mod frame;
@@ -22,3 +22,14 @@ pub use frame::Frame;
 pub use linearization::Linearization;
 pub use spectrum::Spectrum;
 pub use steady_motion::SteadyMotion;
+
+use crate::dynamics::{By, Gradients, Of, OperatingPoint};
+use crate::model::SceneRef;
+use nalgebra::DMatrix;
+
+/// The derivatives of `of` by `by` as a matrix.
+fn derivatives<P: SceneRef>(gradients: &mut Gradients<P>, at: &OperatingPoint<'_>, of: Of, by: By) -> DMatrix<f64> {
+    let mut matrix = DMatrix::zeros(gradients.n_rows(of), gradients.n_columns(by));
+    gradients.write(at, of, by, matrix.as_mut_slice());
+    matrix
+}

@@ -1,5 +1,6 @@
 //! Rest and steady motions, by damped Newton steps on the exact Jacobian.
 
+use super::derivatives;
 use super::error::AnalysisError;
 use super::frame::Frame;
 use super::tolerances::search::{FREE, LAST, MAX_HALVINGS, MAX_STEPS, MET};
@@ -255,11 +256,7 @@ impl<'s, P: SceneRef> Search<'s, P> {
         let mut a = vec![0.0; n_q];
         frame.turn(v, &mut a);
         let at = OperatingPoint { fixed: system.fixed(), t: *t, q, v, accelerations: &a, multipliers };
-        let mut derivatives = |of, by| {
-            let mut entries = vec![0.0; gradients.n_entries(of, by)];
-            gradients.write(&at, of, by, &mut entries);
-            DMatrix::from_vec(gradients.n_rows(of), gradients.n_columns(by), entries)
-        };
+        let mut derivatives = |of, by| derivatives(gradients, &at, of, by);
         let (scene, fixed) = (system.scene(), system.fixed());
         let mut force = vec![0.0; n_q];
         scene.applied_force(fixed, *t, q, v, &mut force);

@@ -45,6 +45,7 @@ fn analytic_rod_hangs_and_stands() {
         }
         assert_eq!((spectrum.n_zero, spectrum.n_unstable()), (0, usize::from(side > 0.0)));
         // a constant torque turns it by 1/stiffness
+        assert_eq!(linear.inputs, ["torque"]);
         let gain = linear.response(nalgebra::Complex::new(0.0, 0.0)).unwrap()[(0, 0)];
         assert!((gain.re + side / (m * g * l)).abs() <= 1e-12 && gain.im == 0.0, "{gain}");
     }
@@ -92,6 +93,35 @@ fn invariant_motion_that_is_not_steady_names_what_is_left() {
     assert_eq!(SteadyMotion::near(&mut system, &start, &[]).unwrap().free, ["block.x"]);
     let error = SteadyMotion::near(&mut system, &start, &["block.vx"]).unwrap_err();
     assert!(matches!(&error, AnalysisError::UnknownHeld { name, .. } if name == "block.vx"), "{error}");
+}
+
+crate::model! {
+    /// A cart that a servo places, and a block on a spring to it.
+    pub model Placed {
+        input place: m = 0 by acceleration;
+        input push: N = 0;
+        body cart { mass: 1, inertia: 1 }
+        body block { mass: 2, inertia: 1 }
+        slider rail: ground(0, 0) ~ cart(0, 0) along ground(1, 0);
+        slider guide: ground(0, 0) ~ block(0, 0) along ground(1, 0);
+        constraint servo: cart.x = place;
+        force at block(0, 0): (push - 8 N/m * (block.x - cart.x), 0);
+        start still { at rest; }
+        scene rests { start still; until 1 s; }
+    }
+}
+
+/// The place moves the cart whatever forces are: B has no column for it, and one for the push.
+#[test]
+fn analytic_input_by_acceleration_is_no_input_of_the_linear_equations() {
+    let scene = placed::Rests::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
+    let linear = Linearization::of(&mut system, &rest).unwrap();
+    assert_eq!((&linear.inputs[..], linear.b.ncols(), linear.d.ncols()), (&["push"][..], 1, 1));
+    let spectrum = linear.spectrum().unwrap();
+    assert!((spectrum.eigenvalues[0].im - 2.0).abs() <= 1e-14, "{spectrum:?}");
 }
 
 crate::model! {

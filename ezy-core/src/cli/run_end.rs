@@ -17,8 +17,6 @@ use super::run_monitors::{monitors_json, monitors_text};
 
 /// The end as JSON. A run that could not start has the same keys with `null`. `free`: start values that were free.
 pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, free: &[Name], outcome: &str) -> Value {
-    // a stop that holds is a row more
-    let info = run.map_or(info, |run| run.info());
     let last = run.map(Run::last);
     let named = |names: &mut dyn Iterator<Item = &str>, pick: fn(&Sample<'_>, usize) -> f64| -> Value {
         names.enumerate().map(|(i, name)| (name, json!(last.map(|last| pick(&last, i))))).collect()
@@ -52,7 +50,7 @@ pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, free
     if info.n_outputs() > 0 {
         end["outputs"] = named(&mut info.outputs.iter().map(|output| &*output.name), |last, i| last.outputs[i]);
     }
-    if !info.events.is_empty() || info.stick_slip.is_some() || info.stop.is_some() {
+    if !info.events.is_empty() || !info.switches.is_empty() {
         let events = run.map_or(&[][..], Run::events).iter();
         end["events"] = events.map(|occurred| json!({ "name": occurred.event.name, "t": occurred.state.t })).collect();
     }

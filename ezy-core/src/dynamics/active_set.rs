@@ -51,9 +51,12 @@ impl ActiveSet {
         !self.held.is_empty()
     }
 
-    /// Switches the row that can be switched; the constants of the scene are then to be computed from what is returned.
-    pub(super) fn switch(&mut self, info: &SceneInfo, holds: bool, side: f64) -> &[f64] {
-        self.parameters[info.parameters.len()..].copy_from_slice(&[f64::from(u8::from(holds)), side]);
+    /// Switches a row; the constants of the scene are then to be computed from what is returned.
+    pub(super) fn switch(&mut self, info: &SceneInfo, row: usize, holds: bool, side: f64) -> &[f64] {
+        let switches = self.parameters[info.parameters.len()..].iter_mut().zip(info.switches);
+        let of_row = switches.filter(|(_, switch)| switch.row == row);
+        // a stop with one end has no side
+        of_row.zip([f64::from(u8::from(holds)), side]).for_each(|((present, _), value)| *present = value);
         self.find_off(info);
         self.held.clear();
         &self.parameters
@@ -61,9 +64,9 @@ impl ActiveSet {
 
     fn find_off(&mut self, info: &SceneInfo) {
         self.off.clear();
-        if let (Some(row), Some(0.0)) = (info.switched_row(), self.parameters.get(info.parameters.len())) {
-            self.off.push(row);
-        }
+        let switches = &self.parameters[info.parameters.len()..];
+        self.off.extend(info.holding_switches().filter(|&(i, _)| switches[i] == 0.0).map(|(_, switch)| switch.row));
+        self.off.sort_unstable();
         self.n_on = [info.n_position_rows, info.n_rows()].map(|n| n - self.off.iter().filter(|row| **row < n).count());
     }
 }
@@ -93,7 +96,7 @@ mod tests {
         let (rank, redundant) = found.unwrap();
         let (mut a, mut lambda) = ([0.0; 3], [0.0; 2]);
         system.accelerations(0.0, q, v, &mut a, &mut lambda).unwrap();
-        let stop = system.info().switched_row().unwrap();
+        let stop = system.info().stop.unwrap().row;
         (rank, redundant, a[0], lambda[stop])
     }
 
@@ -108,14 +111,14 @@ mod tests {
             assert_eq!((rank, redundant, lambda), (1, 0, 0.0));
             assert!((a - 3.0).abs() <= 1e-15, "{a}");
 
-            system.switch(true, -1.0);
+            system.switch(1, true, -1.0);
             system.project(0.0, &mut q, &mut v, Projection::Both, Metric::Mass).unwrap();
             assert!((q[0] - 0.75).abs() <= 1e-15 && v[0].abs() <= 1e-15, "{q:?} {v:?}");
             let (rank, redundant, a, lambda) = seen(&mut system, &q, &v);
             assert_eq!((rank, redundant), (2, 0));
             assert!(a.abs() <= 1e-15 && (lambda - 6.0).abs() <= 1e-14, "{a} {lambda}");
 
-            system.switch(false, 0.0);
+            system.switch(1, false, 0.0);
             let (rank, redundant, a, lambda) = seen(&mut system, &q, &v);
             assert_eq!((rank, redundant, lambda), (1, 0, 0.0));
             assert!((a - 3.0).abs() <= 1e-15, "{a}");
@@ -127,7 +130,7 @@ mod tests {
     fn invariant_a_row_that_is_off_has_its_size() {
         let scene = bead::Slides::default();
         let system = System::new(&scene, Backend::Auto).unwrap();
-        let stop = system.info().switched_row().unwrap();
+        let stop = system.info().stop.unwrap().row;
         assert_eq!(system.geometry.sizes[stop], system.geometry.length);
     }
 }

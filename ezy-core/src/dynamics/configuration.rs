@@ -32,11 +32,11 @@ impl<P: SceneRef> System<P> {
         Configuration { system: self, t, q, rows }
     }
 
-    /// Switches the row of the scene that can be switched on or off, and sets its side
-    /// ([`SceneInfo::switches`](crate::model::SceneInfo::switches)). What a step held is forgotten.
-    pub(crate) fn switch(&mut self, holds: bool, side: f64) {
+    /// Switches a row of the scene on or off, and sets its side ([`SceneInfo::switches`](crate::model::SceneInfo::switches)). What a step held
+    /// is forgotten.
+    pub(crate) fn switch(&mut self, row: usize, holds: bool, side: f64) {
         let Self { scene, info, fixed, active, factors, .. } = self;
-        scene.constants(active.switch(info, holds, side), fixed);
+        scene.constants(active.switch(info, row, holds, side), fixed);
         factors.forget();
     }
 

@@ -22,6 +22,12 @@ impl<P: SceneRef> Diagnosis<'_, P> {
         self.system.geometry.position_tolerance(of.row, self.system.geometry.extent(of.q))
     }
 
+    /// What counts as zero of the velocity of a row, where velocities are `v`.
+    pub(crate) fn velocity_tolerance(&self, row: usize, v: &[f64]) -> f64 {
+        let geometry = &self.system.geometry;
+        geometry.velocity_tolerance(row, geometry.extent_of_velocities(v))
+    }
+
     /// Second derivative in time of the row under accelerations that need not keep it, in its unit per s²; and what rounding of
     /// the coordinates makes of the row.
     pub(crate) fn row_acceleration(&mut self, of: &SystemRow<'_>, a: &[f64]) -> (f64, f64) {

@@ -58,9 +58,9 @@ pub trait Derived: Equations<f64> {
         let _ = (c, t, q, v, out);
     }
 
-    /// What the skate of [`SceneInfo::stick_slip`](super::SceneInfo::stick_slip) holds up to, N, and the velocity across it, to the left of
-    /// its direction, m/s. Writes 2.
-    fn stick_slip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+    /// What each skate of [`SceneInfo::limited_skates`](super::SceneInfo::limited_skates) holds up to, N, and the velocity across it, to the left of
+    /// its direction, m/s. Writes 2 for each.
+    fn limited_skates(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let _ = (c, t, q, v, out);
     }
 

@@ -6,7 +6,7 @@ use super::repeats::{CountInfo, Repeats};
 use super::series::SeriesInfo;
 use super::{
     Abbreviation, CoordinateInfo, EffectInfo, EliminationStep, Equation, Formula, InputInfo, List, Name, Operations,
-    OutputInfo, ParameterInfo, PointInfo, RowInfo, SparsityPattern, StateInfo,
+    OutputInfo, ParameterInfo, PointInfo, RowInfo, SparsityPattern, StateInfo, SwitchInfo,
 };
 
 /// Everything about a scene that does not depend on parameters: known at compile time or, for a scene with counts, made
@@ -49,13 +49,14 @@ pub struct SceneInfo {
     /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the discontinuities of
     /// its forces; a scene with counts does not know its discontinuities.
     pub events: &'static [EventInfo],
-    /// The skate with a limit (stick–slip friction), if there is one.
-    pub stick_slip: Option<&'static StickSlipInfo>,
+    /// The skates with a limit (stick–slip friction).
+    pub limited_skates: &'static [StickSlipInfo],
     /// The stop (unilateral contact), if there is one.
     pub stop: Option<&'static StopInfo>,
-    /// Numbers that say which row of these holds, as they are at the start: 1 while it holds, else 0; then its side: 1 for a skate that
-    /// slides to the left and for the lower end of a stop, -1 to the right and for the upper end. None without such a row.
-    pub switches: &'static [f64],
+    /// How the rows of those skates and of that stop take part, those of one row behind each other: first whether it holds, 1 or 0; then its
+    /// side, which a stop with one end does not have: 1 while a skate slides to the left and for the lower end, -1 to the right and for the
+    /// upper one.
+    pub switches: &'static [SwitchInfo],
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
     /// some; then the effects; then the constraints that move with time, under the name `drives`, when there are some; last
     /// the impacts on the stop, under the name `stops`, where there is one.
@@ -96,14 +97,6 @@ pub struct SceneInfo {
     pub repeats: Option<Repeats>,
 }
 
-/// What the switches of a skate say.
-#[cfg(feature = "cli")]
-const SWITCHES_OF_SKATE: [&str; 2] =
-    ["1 while it holds, 0 while it slides", "1 while it slides to the left of its direction, -1 to the right, else 0"];
-/// What those of a stop say.
-#[cfg(feature = "cli")]
-const SWITCHES_OF_STOP: [&str; 2] = ["1 while it holds, 0 while it is open", "1 at the lower end, -1 at the upper one"];
-
 impl SceneInfo {
     /// Whether [`Equations::accelerations`](super::Equations::accelerations) and [`Equations::correction`](super::Equations::correction)
     /// solve: not in scenes with counts, nor where more than 24 rows meet in one body, for which rustc takes minutes.
@@ -111,28 +104,17 @@ impl SceneInfo {
         self.repeats.is_none() && (self.rows.is_empty() || !self.elimination.is_empty())
     }
 
-    /// Names that equations have for [`SceneInfo::switches`], and what they say; without the side of a stop with one end, which nothing reads.
-    #[cfg(feature = "cli")]
-    pub(crate) fn switch_names(&self) -> Vec<(String, &'static str)> {
-        let (name, said) = match (self.stick_slip, self.stop) {
-            (Some(skate), _) => (skate.name, SWITCHES_OF_SKATE),
-            (_, Some(stop)) => (stop.name, SWITCHES_OF_STOP),
-            _ => return Vec::new(),
-        };
-        let n = if self.stop.is_some_and(|stop| stop.sides.len() == 1) { 1 } else { 2 };
-        ["holds", "side"].iter().zip(said).take(n).map(|(suffix, said)| (format!("{name}_{suffix}"), said)).collect()
-    }
-
     /// How many position constraints, and how many rows, hold at the start.
     #[cfg(feature = "cli")]
     pub(crate) fn n_rows_at_start(&self) -> [usize; 2] {
-        let off = self.switched_row().filter(|_| self.switches.first() == Some(&0.0));
-        [self.n_position_rows, self.n_rows()].map(|n| n - usize::from(off.is_some_and(|row| row < n)))
+        let off = || self.holding_switches().filter(|(_, switch)| switch.start == 0.0);
+        [self.n_position_rows, self.n_rows()].map(|n| n - off().filter(|(_, switch)| switch.row < n).count())
     }
 
-    /// The row that [`SceneInfo::switches`] tell of.
-    pub(crate) fn switched_row(&self) -> Option<usize> {
-        self.stick_slip.map(|skate| skate.row).or(self.stop.map(|stop| stop.row))
+    /// The switches that say whether their rows hold, with their places in [`SceneInfo::switches`].
+    pub(crate) fn holding_switches(&self) -> impl Iterator<Item = (usize, &'static SwitchInfo)> + use<> {
+        let all = self.switches;
+        all.iter().enumerate().filter(|&(i, switch)| i == 0 || all[i - 1].row != switch.row)
     }
 
     /// The counts, in declared order.

@@ -9,168 +9,53 @@ pub(crate) const N_DERIVATIVES: usize = 8;
 /// A number with its derivatives by eight quantities.
 pub type Derivatives = Dual<N_DERIVATIVES>;
 
-/// What an analysis differentiates of a scene: its kernels on numbers with eight derivatives. Every scene whose [`Equations`] are of any
-/// number, or of these, has it.
-///
-/// Arguments and shapes are those of [`Equations`]. No elimination is among them: what follows from the equations of motion is solved
-/// with their derivatives.
-pub trait EquationsWithDerivatives: Send + Sync {
-    /// [`Equations::constants`].
-    fn constants_with_derivatives(&self, parameters: &[Derivatives], c: &mut [Derivatives]);
+/// Writes a trait whose methods are those of [`Equations`] on these numbers, and what implements it.
+macro_rules! with_derivatives {
+    ($($name:ident as $of:ident($($argument:ident: $type:ty),*);)*) => {
+        /// What an analysis differentiates of a scene: its kernels on numbers with eight derivatives. Every scene whose [`Equations`] are
+        /// of any number, or of these, has it.
+        ///
+        /// Arguments and shapes are those of [`Equations`]. No elimination is among them: what follows from the equations of motion is solved
+        /// with their derivatives.
+        pub trait EquationsWithDerivatives: Send + Sync {
+            $(
+                #[doc = concat!("[`Equations::", stringify!($of), "`].")]
+                fn $name(&self, $($argument: $type),*);
+            )*
+        }
 
-    /// [`Equations::mass_matrix`].
-    fn mass_matrix_with_derivatives(&self, c: &[Derivatives], m: &mut [Derivatives]);
-
-    /// [`Equations::position_constraint`].
-    fn position_constraint_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        out: &mut [Derivatives],
-    );
-
-    /// [`Equations::velocity_constraint`].
-    fn velocity_constraint_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    );
-
-    /// [`Equations::velocity_jacobian`].
-    fn velocity_jacobian_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        out: &mut [Derivatives],
-    );
-
-    /// [`Equations::convective_term`].
-    fn convective_term_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    );
-
-    /// [`Equations::applied_force`].
-    fn applied_force_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    );
-
-    /// [`Equations::state_rates`].
-    fn state_rates_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    );
-
-    /// [`Equations::outputs`].
-    fn outputs_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    );
+        impl<S: Equations<Derivatives>> EquationsWithDerivatives for S {
+            $(
+                fn $name(&self, $($argument: $type),*) {
+                    Equations::$of(self, $($argument),*);
+                }
+            )*
+        }
+    };
 }
 
-impl<S: Equations<Derivatives>> EquationsWithDerivatives for S {
-    fn constants_with_derivatives(&self, parameters: &[Derivatives], c: &mut [Derivatives]) {
-        Equations::constants(self, parameters, c);
-    }
-
-    fn mass_matrix_with_derivatives(&self, c: &[Derivatives], m: &mut [Derivatives]) {
-        Equations::mass_matrix(self, c, m);
-    }
-
-    fn position_constraint_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        out: &mut [Derivatives],
-    ) {
-        Equations::position_constraint(self, c, t, q, out);
-    }
-
-    fn velocity_constraint_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    ) {
-        Equations::velocity_constraint(self, c, t, q, v, out);
-    }
-
-    fn velocity_jacobian_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        out: &mut [Derivatives],
-    ) {
-        Equations::velocity_jacobian(self, c, t, q, out);
-    }
-
-    fn convective_term_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    ) {
-        Equations::convective_term(self, c, t, q, v, out);
-    }
-
-    fn applied_force_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    ) {
-        Equations::applied_force(self, c, t, q, v, out);
-    }
-
-    fn state_rates_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    ) {
-        Equations::state_rates(self, c, t, q, v, out);
-    }
-
-    fn outputs_with_derivatives(
-        &self,
-        c: &[Derivatives],
-        t: Derivatives,
-        q: &[Derivatives],
-        v: &[Derivatives],
-        out: &mut [Derivatives],
-    ) {
-        Equations::outputs(self, c, t, q, v, out);
-    }
+with_derivatives! {
+    constants_with_derivatives as constants(parameters: &[Derivatives], c: &mut [Derivatives]);
+    mass_matrix_with_derivatives as mass_matrix(c: &[Derivatives], m: &mut [Derivatives]);
+    position_constraint_with_derivatives as position_constraint(
+        c: &[Derivatives], t: Derivatives, q: &[Derivatives], out: &mut [Derivatives]
+    );
+    velocity_constraint_with_derivatives as velocity_constraint(
+        c: &[Derivatives], t: Derivatives, q: &[Derivatives], v: &[Derivatives], out: &mut [Derivatives]
+    );
+    velocity_jacobian_with_derivatives as velocity_jacobian(
+        c: &[Derivatives], t: Derivatives, q: &[Derivatives], out: &mut [Derivatives]
+    );
+    convective_term_with_derivatives as convective_term(
+        c: &[Derivatives], t: Derivatives, q: &[Derivatives], v: &[Derivatives], out: &mut [Derivatives]
+    );
+    applied_force_with_derivatives as applied_force(
+        c: &[Derivatives], t: Derivatives, q: &[Derivatives], v: &[Derivatives], out: &mut [Derivatives]
+    );
+    state_rates_with_derivatives as state_rates(
+        c: &[Derivatives], t: Derivatives, q: &[Derivatives], v: &[Derivatives], out: &mut [Derivatives]
+    );
+    outputs_with_derivatives as outputs(
+        c: &[Derivatives], t: Derivatives, q: &[Derivatives], v: &[Derivatives], out: &mut [Derivatives]
+    );
 }

@@ -2,7 +2,7 @@
 
 use super::checked::check_tolerance;
 use super::inputs::control::Control;
-use super::modes::{Modes, fault_of_law};
+use super::modes::{Modes, fault_of_laws};
 use super::monitor::Watch;
 use super::recording::sample_times::{SampleTimes, Sampling};
 use super::run_loop::{Plan, RunLoop};
@@ -40,7 +40,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
         let (moved_by, wanted) = (self.settings.start.moved_by, sampling.wanted);
         let sampling = Sampling { times: sampling.times.of_run(start.t, until_s)?, ..*sampling };
         let assembled = system.consistent_start(&start);
-        let of_law = |system| fault_of_law(system, start.t, &start.q, &start.v);
+        let of_law = |system| fault_of_laws(system, start.t, &start.q, &start.v);
         let mut state = assembled.map_err(|error| of_law(&system).map_or(SetupError::from(error), SetupError::from))?;
         let moved = system.moved_values(&start, &state);
         if moved_by > 0.0 {

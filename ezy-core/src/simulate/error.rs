@@ -275,7 +275,7 @@ impl SetupError {
     /// # Errors
     /// [`SetupError::Modes`].
     pub(crate) fn refuse_modes(info: &SceneInfo) -> Result<(), Self> {
-        let skate = info.stick_slip.map(|stick_slip| ("skate", stick_slip.name));
+        let skate = info.limited_skates.first().map(|skate| ("skate", skate.name));
         let stop = info.stop.map(|stop| ("stop", stop.name));
         match skate.or(stop) {
             None => Ok(()),

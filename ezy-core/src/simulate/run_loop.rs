@@ -68,7 +68,7 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
         let mut samples = RunSamples::new(&stepper, sampling, recorder);
         if let Some(modes) = &mut modes {
             modes.start(&mut stepper)?;
-            samples.sampler.sliding = modes.sliding();
+            samples.sampler.sliding.skates.extend(modes.sliding());
         }
         samples.keep_now(&mut stepper)?;
         let mut rank = RankRecord::default();
@@ -169,7 +169,7 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
         }
         self.accept(last)?;
         let changed = match &mut self.modes {
-            Some(modes) if changes && !last => modes.change(&mut self.stepper),
+            Some(modes) if changes && !last => modes.change_due(&mut self.stepper),
             _ => Ok(()),
         };
         self.follow_mode();
@@ -229,10 +229,12 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
         Ok(changes)
     }
 
-    /// Samples tell the force of a skate that slides.
+    /// Samples tell the forces of skates that slide.
     fn follow_mode(&mut self) {
         if let Some(modes) = &self.modes {
-            self.samples.sampler.sliding = modes.sliding();
+            let sliding = &mut self.samples.sampler.sliding.skates;
+            sliding.clear();
+            sliding.extend(modes.sliding());
         }
     }
 }

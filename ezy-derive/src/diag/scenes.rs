@@ -107,25 +107,10 @@ pub fn releases_no_row(name: &Ident, what: Option<&str>, rows: &[&str]) -> syn::
     fault_with_help(name, text, suggestion(&name.to_string(), rows, "declared constraints"))
 }
 
-/// Names with "skate" or "stop".
-pub fn two_changing(scene: &Ident, first: (&Ident, &str), second: (&Ident, &str)) -> syn::Error {
-    let ((first, first_what), (second, second_what)) = (first, second);
-    let (text, help) = match (first_what, second_what) {
-        ("skate", "skate") => (
-            format!("two skates with a limit, `{first}` and `{second}`; only one of them can slide"),
-            "remove one limit, or declare this skate in an effect that the scene does not call for",
-        ),
-        ("stop", "stop") => (
-            format!("two stops, `{first}` and `{second}`; only one of them can be followed"),
-            "write both bounds of one quantity as `from a to b`, or declare this stop in an effect that the scene does not \
-             call for",
-        ),
-        _ => (
-            format!("a skate with a limit, `{first}`, and a stop, `{second}`; only one of them can be followed"),
-            "remove the limit, or declare the stop in an effect that the scene does not call for",
-        ),
-    };
-    let fault = fault_with_help(second, format_args!("scene `{scene}` has {text}"), help);
+pub fn two_stops(scene: &Ident, first: &Ident, second: &Ident) -> syn::Error {
+    let text = format!("scene `{scene}` has two stops, `{first}` and `{second}`; only one of them can be followed");
+    let help = "write both bounds of one quantity as `from a to b`, or declare this stop in an effect that the scene does not call for";
+    let fault = fault_with_help(second, text, help);
     fault_at_two_places(fault, first, format_args!("`{first}` is declared here"))
 }
 

@@ -14,7 +14,7 @@ use super::parts::{LONGEST_WHOLE, sequence};
 use crate::mechanics::Derived;
 use crate::mechanics::kernels::Pass;
 use crate::model::whole::{IndexId, Whole};
-use crate::model::{Model, ParameterId, Switch};
+use crate::model::{DeclaredSwitch, Model, ParameterId};
 use crate::symbolic::coefficient::{Coefficient, CoefficientId, CoefficientNode, Coefficients};
 use wording::{Shape, Wording, product, quotient, square, sum};
 
@@ -22,8 +22,8 @@ use wording::{Shape, Wording, product, quotient, square, sum};
 pub struct Constants<'a> {
     model: &'a Model,
     parameters: &'a [ParameterId],
-    /// How many switches stand behind them.
-    n_switches: usize,
+    /// Stand behind them.
+    switches: &'a [DeclaredSwitch],
     coefficients: &'a Coefficients,
     /// In the order of the vector `c` behind its inputs and first-order states.
     stored: &'a [CoefficientId],
@@ -43,20 +43,10 @@ impl<'a> Constants<'a> {
     pub fn new(model: &'a Model, derived: &'a Derived<'_>) -> Self {
         let stored = derived.constants.coefficients();
         let (parameters, coefficients) = (derived.parameters(), &derived.algebra().coefficients);
-        let (n_inputs, n_switches, names) = (derived.inputs().len(), derived.switches().len(), BTreeMap::new());
+        let (n_inputs, switches, names) = (derived.inputs().len(), derived.switches(), BTreeMap::new());
         let (innermost, members, positions) = (BTreeMap::new(), Vec::new(), Vec::new());
-        let mut constants = Self {
-            model,
-            parameters,
-            n_switches,
-            coefficients,
-            stored,
-            n_inputs,
-            names,
-            innermost,
-            members,
-            positions,
-        };
+        let mut constants =
+            Self { model, parameters, switches, coefficients, stored, n_inputs, names, innermost, members, positions };
         let needed = constants.needed(stored);
         let mut taken = BTreeSet::new();
         for id in needed {
@@ -138,7 +128,7 @@ impl<'a> Constants<'a> {
             quote!(c[#i] = #value;)
         });
         let writes = sequence(writes);
-        let (n_parameters, n_fixed) = (self.parameters.len() + self.n_switches, self.n_inputs + self.n_single());
+        let (n_parameters, n_fixed) = (self.parameters.len() + self.switches.len(), self.n_inputs + self.n_single());
         let (opening, members) = match &self.members[..] {
             [] => (quote!(let c = ezy::array_mut::<#n_fixed, T>(c);), quote!()),
             all => {
@@ -206,7 +196,7 @@ impl<'a> Constants<'a> {
                     Some(Whole::Count(id)) => Some(self.model.counts[id.0].name.to_string()),
                     Some(Whole::Index(id)) => Some(self.model.indices[id.0].clone()),
                     Some(_) => None,
-                    None => Switch::ALL.get(index - self.model.n_values()).map(|switch| switch.suffix().to_owned()),
+                    None => self.switches.get(index - self.model.n_values()).map(|switch| switch.name.clone()),
                 })?;
                 Some(Wording { text: name.replace("r#", "parameter_"), shape: Shape::Product })
             }

@@ -11,7 +11,7 @@ use crate::mechanics::derived::Straight;
 use crate::mechanics::kernels::{Kernel, Quantity};
 use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Derived, Equations, EventKind, Group, SceneEvent};
-use crate::model::{Bound, Coordinate, InputId, Model, Parameter, ParameterId, Part, Relation, Scene};
+use crate::model::{Bound, Coordinate, DeclaredSwitch, InputId, Model, Parameter, ParameterId, Part, Relation, Scene};
 use crate::symbolic::SumId;
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::program::Count;
@@ -42,9 +42,13 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let outputs = outputs(model, equations, names);
     let events = equations.events.iter().map(|event| self::event(event, &names.print(event.value)));
     let events: Vec<_> = events.collect();
-    let stick_slip = option(stick_slip(model, scene, equations, names));
+    let limited_skates = limited_skates(model, scene, equations, names);
     let stop = option(stop(model, scene, equations, names));
-    let switches = &equations.switches;
+    let switches = equations.symbols.switches().iter();
+    let switches = switches.filter_map(|DeclaredSwitch { of, name, start, documentation, .. }| {
+        let row = row_named(equations, of)?;
+        Some(quote!(ezy::SwitchInfo { row: #row, name: #name, start: #start, documentation: #documentation }))
+    });
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
     let n_constants = derived.constants.coefficients().len();
@@ -93,7 +97,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             states: &[#(#states),*],
             outputs: #outputs,
             events: &[#(#events),*],
-            stick_slip: #stick_slip,
+            limited_skates: &[#(#limited_skates),*],
             stop: #stop,
             switches: &[#(#switches),*],
             effects: &[#(#effects),*],
@@ -252,26 +256,32 @@ fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> V
         .collect()
 }
 
-/// The skate with a limit.
-fn stick_slip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
-    let [limit, velocity] = equations.stick_slip?;
-    let (row, _) = model.stick_slip_of(scene)?;
-    let i_row = equations.constraints.rows.iter().position(|scalar| row.name == scalar.name)?;
-    let limit = formula_of(names, limit);
-    let slides = change(&row.name, "slides", &limit, "The skate would need more than its limit.");
-    let velocity = formula_of(names, velocity);
-    let stops = change(&row.name, "stops", &velocity, "The velocity across the skate comes back to zero.");
-    let name = row.name.to_string();
-    Some(quote! {
-        &ezy::StickSlipInfo { name: #name, row: #i_row, limit: #limit, slides: #slides, stops: #stops }
-    })
+/// The skates with a limit.
+fn limited_skates(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Vec<TokenStream> {
+    let skates = model.limited_skates_of(scene).zip(&equations.limited_skates);
+    let skates = skates.filter_map(|((row, _), [limit, velocity])| {
+        let name = row.name.to_string();
+        let i_row = row_named(equations, &name)?;
+        let [limit, velocity] = [limit, velocity].map(|x| formula_of(names, *x));
+        let slides = change(&row.name, "slides", &limit, "The skate would need more than its limit.");
+        let stops = change(&row.name, "stops", &velocity, "The velocity across the skate comes back to zero.");
+        Some(quote! {
+            ezy::StickSlipInfo { name: #name, row: #i_row, limit: #limit, slides: #slides, stops: #stops }
+        })
+    });
+    skates.collect()
+}
+
+/// The place of the row with this name.
+fn row_named(equations: &Equations, name: &str) -> Option<usize> {
+    equations.constraints.rows.iter().position(|row| row.name == name)
 }
 
 /// The stop.
 fn stop(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
     let (contact, stop) = (equations.contact.as_ref()?, model.stop_of(scene)?);
     let name = stop.name.to_string();
-    let i_row = equations.constraints.rows.iter().position(|row| row.name == name)?;
+    let i_row = row_named(equations, &name)?;
     let restitution = formula_of(names, contact.restitution);
     let gaps: Vec<_> = contact.gaps.iter().map(|[gap, _]| formula_of(names, *gap)).collect();
     let sides = stop.ends().map(|(bound, _)| match bound {

@@ -60,7 +60,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     page.section("Inputs", tables::inputs(model, inputs, &equations.symbols));
     page.section("First-order states", tables::states(model, states, &equations.symbols));
     page.section("Rows", tables::rows(equations));
-    page.section("Switches", tables::switches(model, derived, equations));
+    page.section("Switches", tables::switches(model, equations));
     page.equations(&equations::of_scene(equations, names));
     page.section("Outputs", tables::outputs(model, equations, names));
     page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));

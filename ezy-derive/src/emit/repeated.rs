@@ -102,7 +102,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
             states: &[#(#states),*],
             outputs: #none,
             events: &[#(#events),*],
-            stick_slip: ::core::option::Option::None,
+            limited_skates: &[],
             stop: ::core::option::Option::None,
             switches: &[],
             effects: &[#(#effects),*],

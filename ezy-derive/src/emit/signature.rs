@@ -91,7 +91,7 @@ pub const ALL: [Signature; 25] = [
     scene(Quantity::Power, "power", &["t", "q", "v", "lambda"], OUT),
     scene(Quantity::Points, "points", &["t", "q"], OUT),
     derived(Quantity::Events, "events", &["t", "q", "v"], OUT),
-    derived(Quantity::StickSlip, "stick_slip", &["t", "q", "v"], OUT),
+    derived(Quantity::LimitedSkates, "limited_skates", &["t", "q", "v"], OUT),
     derived(Quantity::Stop, "stop", &["t", "q", "v"], OUT),
     scene(Quantity::PotentialEnergy, "potential_energy", &["t", "q"], Writes::Value),
     scene(Quantity::Start, "start", &[], Writes::Start),

@@ -11,7 +11,7 @@ use super::solve::Solutions;
 use super::symbols::Symbols;
 use super::templates::Templates;
 use crate::function::Function;
-use crate::model::{InputId, Model, ParameterId, Scene};
+use crate::model::{DeclaredSwitch, InputId, Model, ParameterId, Scene};
 use crate::symbolic::Algebra;
 use crate::symbolic::lower::ConstantPool;
 use crate::symbolic::program::Count;
@@ -147,10 +147,10 @@ impl<'m> Derived<'m> {
         }
     }
 
-    /// The switches at the start.
-    pub fn switches(&self) -> &[f64] {
+    /// What says how a row takes part that is switched on and off.
+    pub fn switches(&self) -> &[DeclaredSwitch] {
         match &self.form {
-            Form::Straight(of) => &of.equations.switches,
+            Form::Straight(of) => of.equations.symbols.switches(),
             Form::Counted(_) => &[],
         }
     }

@@ -1,5 +1,7 @@
 //! Expressions of the model file as sums.
 
+use proc_macro2::Ident;
+
 use super::symbols::Symbols;
 use crate::function::{Function, Operator};
 use crate::model::{self, Arguments, BodyId, Component, Expr, InputId, Model, Part, Switch};
@@ -103,9 +105,9 @@ impl<'a> Writer<'a> {
         self.algebra.constant(whole)
     }
 
-    /// A number that the run sets.
-    pub fn switch(&mut self, switch: Switch) -> Coefficient {
-        self.algebra.coefficients.parameter(self.model.place_of_switch(switch))
+    /// A number that the run sets for a row.
+    pub fn switch(&mut self, of: &Ident, switch: Switch) -> Option<Coefficient> {
+        self.symbols.switch(of, switch).map(|place| self.algebra.coefficients.parameter(place))
     }
 
     /// A value that `model` has checked to depend on parameters alone.

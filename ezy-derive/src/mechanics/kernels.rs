@@ -24,7 +24,7 @@ pub enum Quantity {
     Points,
     Outputs,
     Events,
-    StickSlip,
+    LimitedSkates,
     Stop,
     PotentialEnergy,
     Start,

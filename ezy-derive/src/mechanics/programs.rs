@@ -88,8 +88,8 @@ pub fn straight<'m>(equations: &Equations, jacobians: Option<&Jacobians>, consta
             kernels.insert(Quantity::StateJacobians, lower.vector(&jacobians.values_by_states()));
         }
     }
-    if let Some(stick_slip) = &equations.stick_slip {
-        kernels.insert(Quantity::StickSlip, lower.vector(stick_slip));
+    if !equations.limited_skates.is_empty() {
+        kernels.insert(Quantity::LimitedSkates, lower.vector(equations.limited_skates.as_flattened()));
     }
     if let Some(contact) = &equations.contact {
         kernels.insert(Quantity::Stop, lower.vector(&contact.values()));

@@ -27,10 +27,8 @@ pub struct Equations {
     pub outputs: Vec<(usize, SumId)>,
     /// Events, then discontinuities and layers of F.
     pub events: Vec<SceneEvent>,
-    /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
-    pub stick_slip: Option<[SumId; 2]>,
-    /// The values of its switches at the start.
-    pub switches: Vec<f64>,
+    /// What each skate with a limit holds up to, N, and the velocity across it, m/s.
+    pub limited_skates: Vec<[SumId; 2]>,
     /// What its stop looks at.
     pub contact: Option<Contact>,
     /// Diagonal of M.
@@ -83,8 +81,7 @@ impl Equations {
     pub fn derive(model: &Model, scene: &Scene) -> Self {
         let mut algebra = Algebra::new();
         let (parameters, inputs) = called(model, scene);
-        let switched = model.switched_of(scene);
-        let mut symbols = Symbols::new(model, &inputs, switched.map(|(row, _)| row));
+        let mut symbols = Symbols::new(model, &inputs, model.switches_of(scene));
         let mut writer = Writer::new(model, &mut algebra, &symbols);
 
         let mass = mass_matrix(&mut writer);
@@ -98,9 +95,12 @@ impl Equations {
         let start = start(&mut writer, scene);
         let outputs = model.outputs_of(scene).map(|(i, output)| (i, writer.write(&output.value))).collect();
         let mut events = SceneEvent::declared(&mut writer, model, scene);
-        let stick_slip = model.stick_slip_of(scene).map(|(row, limit)| sliding::stick_slip(&mut writer, row, limit));
+        let limited_skates = model.limited_skates_of(scene);
+        let limited_skates = limited_skates.map(|(row, limit)| sliding::limit_and_velocity(&mut writer, row, limit));
+        let limited_skates: Vec<_> = limited_skates.collect();
         let contact = model.stop_of(scene).map(|stop| Contact::derive(&mut writer, stop));
-        let laws: Vec<SumId> = force.iter().chain(stick_slip.iter().flatten().take(1)).chain(&rates).copied().collect();
+        let limits = limited_skates.iter().map(|[limit, _]| limit);
+        let laws: Vec<SumId> = force.iter().chain(limits).chain(&rates).copied().collect();
         events.extend(SceneEvent::discontinuities(writer.algebra, &laws));
         events.extend(SceneEvent::layers(&writer.layers));
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
@@ -114,8 +114,7 @@ impl Equations {
             rates,
             outputs,
             events,
-            stick_slip,
-            switches: switched.iter().flat_map(|(_, switches)| *switches).collect(),
+            limited_skates,
             contact,
             mass,
             mass_entries,
@@ -175,8 +174,8 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
         for force in forces {
             load.add(writer, force);
         }
-        let stick_slip = model.stick_slip_of(scene).filter(|(row, _)| row.effect == group);
-        if let Some((row, limit)) = stick_slip {
+        let limited_skates: Vec<_> = model.limited_skates_of(scene).filter(|(row, _)| row.effect == group).collect();
+        for (row, limit) in &limited_skates {
             sliding::add(writer, row, limit, &mut load);
         }
         let (generalised, power) = load.finish(writer);
@@ -185,7 +184,7 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
         }
         applied.potential = writer.algebra.add(applied.potential, load.potential);
         // forces of the model that have a potential, or none, do no work to record
-        if group.is_some() || stick_slip.is_some() || !power.is_zero() {
+        if group.is_some() || !limited_skates.is_empty() || !power.is_zero() {
             applied.power.push((group.map_or(Group::Model, Group::Effect), power));
         }
     }

@@ -39,7 +39,7 @@ pub fn row(writer: &mut Writer<'_>, model: &Model, scene: &Scene) -> Option<Scal
     let stop = model.stop_of(scene)?;
     let residual = match &stop.bounds {
         [Some(lower), Some(upper)] => {
-            let side = writer.switch(Switch::Side);
+            let side = writer.switch(&stop.name, Switch::Side)?;
             let weights = [share(writer, side), share(writer, side.neg())];
             let parts = [lower, upper].map(|bound| excess(writer, stop, bound));
             let parts = [0, 1].map(|i| writer.algebra.scale(parts[i], weights[i]));
@@ -54,7 +54,7 @@ pub fn row(writer: &mut Writer<'_>, model: &Model, scene: &Scene) -> Option<Scal
         residual: ResidualKind::Position(residual),
         // it is no row of the model
         family: model.rows.len(),
-        holds: Some(writer.switch(Switch::Holds)),
+        holds: writer.switch(&stop.name, Switch::Holds),
     })
 }
 

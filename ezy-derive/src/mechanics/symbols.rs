@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::model::whole::{Whole, WholeNames};
-use crate::model::{BodyId, Component, Coordinate, InputId, Model, Switch};
+use crate::model::{BodyId, Component, Coordinate, DeclaredSwitch, InputId, Model, Switch};
 use crate::symbolic::coefficient::{Coefficient, CoefficientId};
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::spelling;
@@ -20,6 +20,7 @@ pub struct Symbols {
     n_states: usize,
     /// Parameters, then whole numbers ([`Model::whole`]), then switches.
     parameters: Vec<Printed>,
+    switches: Vec<DeclaredSwitch>,
     lets: Vec<Let>,
     named: Vec<String>,
 }
@@ -45,8 +46,8 @@ pub enum Meaning {
 }
 
 impl Symbols {
-    /// The symbols of a scene with these inputs, behind which its first-order states stand; `switched` is the name of its row that is switched.
-    pub fn new(model: &Model, inputs: &[InputId], switched: Option<&Ident>) -> Self {
+    /// The symbols of a scene with these inputs, behind which its first-order states stand, and with these switches.
+    pub fn new(model: &Model, inputs: &[InputId], switches: Vec<DeclaredSwitch>) -> Self {
         let (mut coordinates, mut velocities) = (Vec::new(), Vec::new());
         for body in &model.bodies {
             let body = body.name.clone();
@@ -59,13 +60,11 @@ impl Symbols {
         let counts = model.counts.iter().map(|count| &count.name);
         let parameters = model.parameters.iter().map(|p| &p.name).chain(counts).map(ToString::to_string);
         let parameters = parameters.chain(model.indices.iter().cloned()).map(|name| spelling::name(&name));
-        let switches =
-            switched.into_iter().flat_map(|row| Switch::ALL.map(|switch| format!("{row}_{}", switch.suffix())));
         let parameters = parameters.chain(model.quotients.iter().map(|of| quotient(model, of)));
-        let parameters = parameters.chain(switches.map(|name| spelling::name(&name))).collect();
+        let parameters = parameters.chain(switches.iter().map(|switch| spelling::name(&switch.name))).collect();
         let n_states = inputs.iter().filter(|id| model.inputs[id.0].rate.is_some()).count();
         let inputs = inputs.iter().map(|&id| (id, spelling::name(&model.inputs[id.0].name.to_string()))).collect();
-        Self { coordinates, velocities, inputs, n_states, parameters, lets: Vec::new(), named: Vec::new() }
+        Self { coordinates, velocities, inputs, n_states, parameters, switches, lets: Vec::new(), named: Vec::new() }
     }
 
     pub fn name_lets(&mut self, lets: Vec<Let>) {
@@ -79,6 +78,17 @@ impl Symbols {
     /// The `let` that computes a coefficient, or its negative, from parameters.
     pub fn let_of(&self, id: CoefficientId) -> Option<&Let> {
         self.lets.iter().find(|of| of.coefficient.is_some_and(|k| k.id == id))
+    }
+
+    /// What says how rows take part that are switched on and off.
+    pub fn switches(&self) -> &[DeclaredSwitch] {
+        &self.switches
+    }
+
+    /// A switch of a row, by its place behind parameters and whole numbers.
+    pub fn switch(&self, of: &Ident, switch: Switch) -> Option<usize> {
+        let i = self.switches.iter().position(|declared| declared.switch == switch && *of == declared.of)?;
+        Some(self.parameters.len() - self.switches.len() + i)
     }
 
     pub fn n_coordinates(&self) -> usize {

@@ -100,7 +100,7 @@ impl<'m> Templates<'m> {
     pub fn derive(model: &'m Model, scene: &'m Scene) -> Self {
         let mut algebra = Algebra::new();
         let (parameters, inputs) = called(model, scene);
-        let mut symbols = Symbols::new(model, &inputs, None);
+        let mut symbols = Symbols::new(model, &inputs, Vec::new());
         let mut writer = Writer::new(model, &mut algebra, &symbols);
         let masses = model.arrays.iter().map(|array| {
             let (mass, inertia) = (writer.write(&array.mass), writer.write(&array.inertia));

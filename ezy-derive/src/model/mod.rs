@@ -353,6 +353,19 @@ pub enum Switch {
     Side,
 }
 
+/// A switch of a scene.
+#[derive(Debug)]
+pub struct DeclaredSwitch {
+    /// The skate with a limit, or the stop.
+    pub of: String,
+    pub switch: Switch,
+    /// In equations.
+    pub name: String,
+    /// Its value at the start.
+    pub start: f64,
+    pub documentation: &'static str,
+}
+
 impl Switch {
     /// In the order of their places.
     pub const ALL: [Self; 2] = [Self::Holds, Self::Side];
@@ -432,20 +445,31 @@ impl Model {
         self.stops.iter().filter(|stop| scene.calls_for(stop.effect))
     }
 
-    /// The row of a scene that is switched, and its switches at the start: a skate holds, a stop is open.
-    pub fn switched_of<'a>(&'a self, scene: &'a Scene) -> Option<(&'a Ident, [f64; 2])> {
-        let skate = self.stick_slip_of(scene).map(|(row, _)| (&row.name, [1.0, 0.0]));
-        skate.or_else(|| self.stop_of(scene).map(|stop| (&stop.name, [0.0, 0.0])))
+    /// The switches of a scene as they start, those of one row behind each other: skates hold, a stop is open. A stop with one end has no side.
+    pub fn switches_of(&self, scene: &Scene) -> Vec<DeclaredSwitch> {
+        let declared = |row: &Ident, start: [f64; 2], said: &[&'static str]| -> Vec<DeclaredSwitch> {
+            let switches = Switch::ALL.iter().zip(start).zip(said);
+            let declare = |((switch, start), said): ((&Switch, f64), &&'static str)| DeclaredSwitch {
+                of: row.to_string(),
+                switch: *switch,
+                name: format!("{row}_{}", switch.suffix()),
+                start,
+                documentation: said,
+            };
+            switches.map(declare).collect()
+        };
+        let sides = "1 while it slides to the left of its direction, -1 to the right, else 0";
+        let of_skates = ["1 while it holds, 0 while it slides", sides];
+        let skates = self.limited_skates_of(scene).flat_map(|(row, _)| declared(&row.name, [1.0, 0.0], &of_skates));
+        let of_stop = ["1 while it holds, 0 while it is open", "1 at the lower end, -1 at the upper one"];
+        let stop = self.stop_of(scene).into_iter();
+        let stop = stop.flat_map(|stop| declared(&stop.name, [0.0, 0.0], &of_stop[..stop.ends().count()]));
+        skates.chain(stop).collect()
     }
 
-    /// Where a switch stands behind the parameters and whole numbers.
-    pub fn place_of_switch(&self, switch: Switch) -> usize {
-        self.n_values() + switch as usize
-    }
-
-    /// The skate of a scene that holds up to a limit, and the limit.
-    pub fn stick_slip_of<'a>(&'a self, scene: &'a Scene) -> Option<(&'a Row, &'a Expr)> {
-        self.rows_of(scene).find_map(|(_, row)| Some((row, row.limit()?)))
+    /// The skates of a scene that hold up to a limit, and their limits.
+    pub fn limited_skates_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (&'a Row, &'a Expr)> {
+        self.rows_of(scene).filter_map(|(_, row)| Some((row, row.limit()?)))
     }
 }
 

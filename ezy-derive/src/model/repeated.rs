@@ -22,7 +22,7 @@ impl Model {
     }
 
     /// Parameters and whole numbers as declared: counts, and indices in the first pass of their `for`; NaN where there is none. Last the
-    /// switches of a row that holds.
+    /// switches of as many rows that hold as a scene may have.
     pub fn defaults(&self) -> Vec<f64> {
         let counts: Vec<i64> = self.counts.iter().map(|count| count.default).collect();
         let mut indices = Vec::new();
@@ -37,7 +37,9 @@ impl Model {
         }
         let values = Values { counts: &counts, indices: &indices };
         let wholes = self.wholes().map(|whole| whole.evaluate(&values).map_or(f64::NAN, |value| value as f64));
-        self.parameters.iter().map(|parameter| parameter.default).chain(wholes).chain([1.0, 0.0]).collect()
+        let n_switched = self.rows.iter().filter(|row| row.limit().is_some()).count() + self.stops.len().min(1);
+        let switches = std::iter::repeat_n([1.0, 0.0], n_switched).flatten();
+        self.parameters.iter().map(|parameter| parameter.default).chain(wholes).chain(switches).collect()
     }
 
     /// The `for` of an index with those around it, outermost first.

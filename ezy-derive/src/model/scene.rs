@@ -145,7 +145,7 @@ impl Context<'_> {
         }
     }
 
-    /// A skate with a limit or a stop gives a scene several modes: it has one of them at most, and bodies of its own. One that is
+    /// A skate with a limit or a stop gives a scene several modes: it has one stop at most, and bodies of its own. A stop that is
     /// too many is reported once, for the first scene that has it.
     pub fn check_modes(&mut self, model: &Model) {
         if model.is_repeated() {
@@ -156,14 +156,12 @@ impl Context<'_> {
         }
         let mut reported: Vec<&Ident> = Vec::new();
         for scene in &model.scenes {
-            let limited = model.rows_of(scene).filter(|(_, row)| row.limit().is_some());
-            let skates = limited.map(|(_, row)| (&row.name, "skate"));
-            let changing: Vec<_> = skates.chain(model.stops_of(scene).map(|stop| (&stop.name, "stop"))).collect();
-            if let [first, second, ..] = changing[..]
-                && !reported.iter().any(|name| std::ptr::eq(*name, second.0))
+            let stops: Vec<_> = model.stops_of(scene).map(|stop| &stop.name).collect();
+            if let [first, second, ..] = stops[..]
+                && !reported.iter().any(|name| std::ptr::eq(*name, second))
             {
-                reported.push(second.0);
-                self.diag.error(scenes::two_changing(&scene.name, first, second));
+                reported.push(second);
+                self.diag.error(scenes::two_stops(&scene.name, first, second));
             }
         }
     }

@@ -19,20 +19,6 @@ ezy_core::model! {
 }
 
 ezy_core::model! {
-    pub model Two {
-        body sled { mass: 1, inertia: 1 }
-        body cart { mass: 1, inertia: 1 }
-        skate blade: at sled(0, 0) along sled(1, 0) limit 3;
-        effect cart { skate wheel: at cart(0, 0) along cart(1, 0) limit 3; }
-        effect wall { stop wall: sled.x to 1; }
-        start s { at rest; }
-        scene free { start s; until 1 s; }
-        scene both { start s; until 1 s; with cart; }
-        scene walled { start s; until 1 s; with wall; }
-    }
-}
-
-ezy_core::model! {
     pub model Many {
         count n = 3;
         body sled[n] { mass: 1, inertia: 1 }

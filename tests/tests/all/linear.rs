@@ -174,13 +174,13 @@ fn check<S: Scene>(scene: &S, inputs: &[(&str, f64)], entry: &Value, tolerance: 
     let response = &entry["response"];
     let place = |of: &Value, all: &[&str]| all.iter().position(|name| Some(*name) == of.as_str());
     let outputs: Vec<&str> = info.outputs.iter().map(|output| &*output.name).collect();
-    let inputs: Vec<&str> = info.inputs.iter().map(|input| input.name).collect();
+    let inputs = &linear.inputs;
     for sample in list(&response["samples"]) {
         let g = linear.response(Complex::new(0.0, number(&sample["omega"]))).expect("no eigenvalue");
         let largest = g.iter().fold(0.0, |m: f64, g| m.max(g.norm()));
         for (i, output) in list(&response["outputs"]).iter().enumerate() {
             for (j, input) in list(&response["inputs"]).iter().enumerate() {
-                let Some((output, input)) = place(output, &outputs).zip(place(input, &inputs)) else { continue };
+                let Some((output, input)) = place(output, &outputs).zip(place(input, inputs)) else { continue };
                 let of = &sample["G"][i][j];
                 let exact = Complex::new(number(&of[0]), number(&of[1]));
                 let found = g[(output, input)];

@@ -72,6 +72,7 @@ mod stepper;
 mod stick_slip;
 mod stop;
 mod straight_and_locked;
+mod switched_rows;
 mod symmetries;
 mod taylor;
 mod threes;

@@ -454,6 +454,36 @@ fn invariant_steps_cut_at_impacts_count_as_rejected() {
     assert!(steps + rejected >= limit && steps < limit && rejected > 0, "{steps} and {rejected} for {limit}");
 }
 
+model! {
+    /// A slide that a motor drives against a stop, whatever it takes.
+    pub model Rammed {
+        body slide { mass: 1, inertia: 1 }
+        slider rail: ground(0, 0) ~ slide(0, 0) along ground(1, 0);
+        drive motor: slide.x = 2 m/s * t;
+        stop wall: slide.x to 1;
+        start home { slide at (0, 0) angle 0; slide velocity (2, 0) rate 0; }
+        scene runs { start home; until 1 s; }
+    }
+}
+
+/// The motor and the wall contradict each other: the run ends with the state before the impact, not with one that is half changed.
+#[test]
+fn invariant_impact_that_rows_forbid_ends_the_run_with_the_state_before_it() {
+    for method in METHODS {
+        let run = Simulation::new(&rammed::Runs::default()).method(method).run().unwrap();
+        let last = run.last();
+        assert!(
+            !run.outcome.reached_end() && (last.t - 0.5).abs() <= LOCATED_S,
+            "{} by {}",
+            run.outcome,
+            method.name()
+        );
+        assert!((last.get("slide.x").unwrap() - 2.0 * last.t).abs() <= 1e-12, "{} by {}", run.outcome, method.name());
+        assert!((last.get("slide.vx").unwrap() - 2.0).abs() <= 1e-12, "{} by {}", run.outcome, method.name());
+        assert_eq!(last.get("lambda.wall").unwrap(), 0.0, "{}", method.name());
+    }
+}
+
 #[test]
 fn invariant_row_of_a_stop_that_holds_is_watched() {
     // without it there is no row

@@ -212,9 +212,6 @@ fn arrows(scene: &dyn Scene, run: &Run, elements: &Elements, frames: &[Placed]) 
     let mut values = vec![Vec::new(); reactions.len()];
     let mut jacobian = vec![0.0; info.jacobian.n_nonzeros()];
     let mut c = elements.constants().to_vec();
-    // a stop that holds has a row more
-    let columns: Vec<Option<usize>> =
-        info.rows.iter().map(|row| run.info().rows.iter().position(|other| other.name == row.name)).collect();
     for sample in run.samples() {
         c[..info.n_inputs()].copy_from_slice(sample.inputs);
         c[info.n_inputs()..][..info.n_states()].copy_from_slice(sample.states);
@@ -225,8 +222,7 @@ fn arrows(scene: &dyn Scene, run: &Run, elements: &Elements, frames: &[Placed]) 
             for (k, row, column) in info.jacobian.entries() {
                 let (of, component) = body_and_component(column);
                 if rows.contains(&row) && of == *body && !is_angle(column) {
-                    let lambda = columns[row].map_or(0.0, |column| sample.multipliers[column]);
-                    force[component] -= jacobian[k] * lambda;
+                    force[component] -= jacobian[k] * sample.multipliers[row];
                 }
             }
             values.push(force);

@@ -47,8 +47,8 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
             "distances": list(stop.hits, |end| formula(&end.formula)),
             "restitution": formula(&stop.restitution),
         })),
-        "switches": list(info.switch_names().iter().zip(info.switches), |((name, said), value)| {
-            json!({ "name": name, "at_start": value, "documentation": said })
+        "switches": list(info.switches, |switch| {
+            json!({ "name": switch.name, "at_start": switch.start, "documentation": switch.documentation })
         }),
         "effects": list(info.effects, |effect| json!(effect.name)),
         "points": list(&*info.points, |point| {
@@ -61,7 +61,7 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
             "multiplier_unit": row.multiplier_unit,
             "constraint": formula(&row.constraint),
             "convective_term": formula(&row.convective_term),
-            "limit": info.stick_slip.filter(|stick_slip| stick_slip.row == i).map(|stick_slip| formula(&stick_slip.limit)),
+            "limit": info.limited_skates.iter().find(|skate| skate.row == i).map(|skate| formula(&skate.limit)),
         })),
         "jacobian": list(info.jacobian.entries(), |(k, i, j)| json!({
             "row": info.rows[i].name,

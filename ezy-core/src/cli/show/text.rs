@@ -83,10 +83,10 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     let ends = info.stop.iter().flat_map(|stop| stop.hits.iter().map(move |end| (stop, end)));
     let ends = ends.map(|(stop, end)| [stop.name, end.formula.text, stop.restitution.text, "", ""]);
     put(["stop", "keeps from below zero", "restitution", "", ""], ends.collect());
-    let switches = info.switch_names();
-    let values = info.switches.iter().map(ToString::to_string).collect::<Vec<_>>();
-    let said = switches.iter().zip(&values).map(|((name, said), value)| [name.as_str(), value, said, "", ""]);
-    put(["switch", "at the start", "what it is", "", ""], said.collect());
+    let values: Vec<String> = info.switches.iter().map(|switch| switch.start.to_string()).collect();
+    let switches = info.switches.iter().zip(&values);
+    let switches = switches.map(|(switch, value)| [switch.name, value, switch.documentation, "", ""]);
+    put(["switch", "at the start", "what it is", "", ""], switches.collect());
     if info.repeats.is_some() {
         return tables;
     }
@@ -94,11 +94,10 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     put(["coordinate", "unit", "velocity", "", ""], coordinates.collect());
     let rows = info.rows.iter().enumerate().map(|(i, row)| {
         let level = if i < info.n_position_rows { "position" } else { "velocity" };
-        let limit =
-            info.stick_slip.filter(|stick_slip| stick_slip.row == i).map_or("", |stick_slip| stick_slip.limit.text);
+        let limit = info.limited_skates.iter().find(|skate| skate.row == i).map_or("", |skate| skate.limit.text);
         [&*row.name, row.kind, level, row.multiplier_unit, limit]
     });
-    let limit = if info.stick_slip.is_some() { "slides beyond" } else { "" };
+    let limit = if info.limited_skates.is_empty() { "" } else { "slides beyond" };
     put(["row", "word", "level", "unit of its multiplier", limit], rows.collect());
     tables
 }

@@ -2,17 +2,17 @@
 
 use super::laws;
 use crate::dynamics::{MotionError, Rows, State, System};
-use crate::model::{Derived as _, SceneRef, StickSlipInfo, StopInfo};
+use crate::model::{Derived as _, SceneRef, StopInfo};
 
 /// What is located.
 pub(in crate::simulate) enum EventFunction {
     /// The events of the scene.
     Events,
-    /// Limit less reaction of a skate that holds.
-    Reserve { info: &'static StickSlipInfo, a: Vec<f64>, lambda: Vec<f64> },
+    /// Limit less reaction of a skate that holds, by its place among those with a limit; here and below vectors are buffers.
+    Reserve { skate: usize, a: Vec<f64>, lambda: Vec<f64>, values: Vec<f64> },
     /// Velocity across a skate that slides to this side.
-    Slide { info: &'static StickSlipInfo, side: f64 },
-    /// Distances to the ends of a stop; `values` is a buffer.
+    Slide { skate: usize, side: f64, values: Vec<f64> },
+    /// Distances to the ends of a stop.
     Gaps { info: &'static StopInfo, values: Vec<f64> },
     /// Force of a closed contact on this side.
     Push { row: usize, side: f64, a: Vec<f64>, lambda: Vec<f64> },
@@ -30,13 +30,13 @@ impl EventFunction {
         system.place_states(z);
         match self {
             Self::Events => system.scene().events(system.fixed(), t, q, v, out),
-            Self::Reserve { info, a, lambda } => {
+            Self::Reserve { skate, a, lambda, values } => {
                 system.at_with(t, q, Rows::Projected).accelerations(v, a, lambda)?;
-                let [limit, _] = laws::stick_slip(system, info, t, q, v)?;
-                out.fill(limit - lambda[info.row].abs());
+                let [limit, _] = laws::limited_skate(system, *skate, t, q, v, values)?;
+                out.fill(limit - lambda[system.info().limited_skates[*skate].row].abs());
             }
-            Self::Slide { info, side } => {
-                let [_, velocity] = laws::stick_slip(system, info, t, q, v)?;
+            Self::Slide { skate, side, values } => {
+                let [_, velocity] = laws::limited_skate(system, *skate, t, q, v, values)?;
                 out.fill(*side * velocity);
             }
             Self::Gaps { info, values } => {

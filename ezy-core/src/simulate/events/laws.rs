@@ -1,24 +1,27 @@
 //! The laws of rows that can be switched, where they are numbers that a run can go by.
 
 use crate::dynamics::{MotionError, System};
-use crate::model::{Derived as _, SceneRef, StickSlipInfo, StopInfo};
+use crate::model::{Derived as _, SceneRef, StopInfo};
 
-/// What the skate with a limit holds up to, N, and the velocity across it, m/s.
+/// What a skate with a limit holds up to, N, and the velocity across it, m/s; by its place in
+/// [`SceneInfo::limited_skates`](crate::model::SceneInfo::limited_skates). Writes what `Derived::limited_skates` does into the buffer.
 ///
 /// # Errors
 /// [`MotionError::SkateLimit`] where the skate can neither hold nor slide.
-pub(in crate::simulate) fn stick_slip<P: SceneRef>(
+pub(in crate::simulate) fn limited_skate<P: SceneRef>(
     system: &System<P>,
-    info: &StickSlipInfo,
+    skate: usize,
     t: f64,
     q: &[f64],
     v: &[f64],
+    values: &mut Vec<f64>,
 ) -> Result<[f64; 2], MotionError> {
-    let mut values = [0.0; 2];
-    system.scene().stick_slip(system.fixed(), t, q, v, &mut values);
-    match values {
-        [limit, _] if limit > 0.0 => Ok(values),
-        [limit, _] => Err(MotionError::SkateLimit { t, skate: info.name, value: limit }),
+    let skates = system.info().limited_skates;
+    values.resize(2 * skates.len(), 0.0);
+    system.scene().limited_skates(system.fixed(), t, q, v, values);
+    match [values[2 * skate], values[2 * skate + 1]] {
+        [limit, velocity] if limit > 0.0 => Ok([limit, velocity]),
+        [limit, _] => Err(MotionError::SkateLimit { t, skate: skates[skate].name, value: limit }),
     }
 }
 

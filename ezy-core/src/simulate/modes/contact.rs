@@ -2,9 +2,10 @@
 //!
 //! An impact is an impulse along the row that the stop would be. With v₀ the velocity at which the scene would rest on the
 //! stop, the nearest one in the metric of the masses, the velocity after it is v₀ + e (v₀ − v): every other row is kept, since
-//! v and v₀ keep it, and the rate of the quantity becomes −e times what it was.
+//! v and v₀ keep it, and the rate of the quantity becomes −e times what it was. Skates with a limit are no such rows: a force
+//! that is bounded has no impulse.
 
-use super::Modes;
+use super::{Modes, stick_slip};
 use crate::dynamics::{MotionError, System, SystemRow};
 use crate::integrate::resolution_at;
 use crate::model::{Derived as _, EventInfo, SceneRef, StopInfo};
@@ -13,7 +14,7 @@ use crate::simulate::events::{EventFunction, laws};
 use crate::simulate::stepping::stepper_state::StepperState;
 use crate::simulate::tolerances::modes::{LOWEST_FLIGHT, SHORTEST_FLIGHT};
 
-const FREE: usize = 0;
+pub(super) const FREE: usize = 0;
 
 /// The end of the stop that is nearest.
 struct Contact {
@@ -28,6 +29,7 @@ struct Contact {
 /// Begins in contact when the start is at rest on an end. Refuses a start beyond an end.
 pub(super) fn start<P: SceneRef>(
     modes: &mut Modes,
+    i: usize,
     info: &'static StopInfo,
     stepper: &mut StepperState<P>,
 ) -> Result<(), SetupError> {
@@ -45,10 +47,10 @@ pub(super) fn start<P: SceneRef>(
     check_rate(info, end, state.t, rate)?;
     let stands = rate == 0.0 || flight_is_too_short(info, end, stepper);
     if stands {
-        modes.change(stepper)?;
+        modes.change(i, stepper)?;
         modes.occurred.clear();
     }
-    modes.is_due = !stands && rate < 0.0;
+    modes.rows[i].is_due = !stands && rate < 0.0;
     Ok(())
 }
 
@@ -61,11 +63,8 @@ pub(super) fn fault<P: SceneRef>(
     v: &[f64],
 ) -> Option<MotionError> {
     let mut values = vec![0.0; n_values(info)];
-    let rates = |values: &[f64]| {
-        let ends = 0..info.hits.len();
-        ends.map(|end| check_rate(info, end, t, values[2 * end + 1])).find_map(Result::err)
-    };
-    laws::stop(system, info, t, q, v, &mut values).err().or_else(|| rates(&values))
+    let read = laws::stop(system, info, t, q, v, &mut values);
+    read.err().or_else(|| (0..info.hits.len()).find_map(|end| check_rate(info, end, t, values[2 * end + 1]).err()))
 }
 
 /// Switches of a mode: whether the row holds, and its side.
@@ -77,23 +76,22 @@ pub(super) fn switches(info: &StopInfo, mode: usize) -> (bool, f64) {
 }
 
 /// Whether the closed contact would have to pull.
-pub(super) fn ends<P: SceneRef>(modes: &Modes, info: &StopInfo, stepper: &StepperState<P>) -> bool {
-    modes.mode != FREE && push(info, modes.mode, stepper) < 0.0
+pub(super) fn ends<P: SceneRef>(mode: usize, info: &StopInfo, stepper: &StepperState<P>) -> bool {
+    mode != FREE && push(info, mode, stepper) < 0.0
 }
 
-/// Free to free or to contact, by an impact; contact to free. Returns whether the distance then begins at zero.
+/// Free to free or to contact, by an impact; contact to free.
 pub(super) fn change<P: SceneRef>(
     modes: &mut Modes,
+    i: usize,
     info: &'static StopInfo,
     stepper: &mut StepperState<P>,
-) -> Result<bool, MotionError> {
-    if modes.mode == FREE {
-        arrive(modes, info, stepper)?;
-    } else {
-        modes.tell(&info.lets_go, stepper);
-        modes.switch(FREE, stepper)?;
+) -> Result<(), MotionError> {
+    if modes.rows[i].mode == FREE {
+        return arrive(modes, i, info, stepper);
     }
-    Ok(modes.mode == FREE)
+    modes.tell(&info.lets_go, stepper);
+    modes.switch(i, FREE, stepper)
 }
 
 /// What ends a mode.
@@ -112,6 +110,7 @@ pub(super) fn function<P: SceneRef>(
 /// The impact, and the choice of the next mode.
 fn arrive<P: SceneRef>(
     modes: &mut Modes,
+    i: usize,
     info: &'static StopInfo,
     stepper: &mut StepperState<P>,
 ) -> Result<(), MotionError> {
@@ -124,18 +123,36 @@ fn arrive<P: SceneRef>(
     if comes {
         modes.tell(&info.hits[end], stepper);
     }
-    let mode = end + 1;
     let e = if comes { restitution } else { 0.0 };
+    modes.attempt(stepper, |modes, stepper| land(modes, i, info, end, e, stepper))
+}
+
+/// The impact on an end with the restitution `e`, and whether it rests there.
+fn land<P: SceneRef>(
+    modes: &mut Modes,
+    i: usize,
+    info: &'static StopInfo,
+    end: usize,
+    e: f64,
+    stepper: &mut StepperState<P>,
+) -> Result<(), MotionError> {
+    let mode = end + 1;
     let (before, v) = (stepper.energy(), stepper.now.state.v.clone());
-    stepper.apply_impact(side(info, mode))?;
+    stick_slip::let_go(modes, stepper);
+    stepper.apply_impact(info.row, side(info, mode))?;
+    stick_slip::switch_after_impact(modes, stepper)?;
     let (landed, pushes) = (stepper.now.state.v.clone(), push(info, mode, stepper) >= 0.0);
     let mut rests = pushes && e == 0.0;
     if !rests {
         let velocities: Vec<f64> = landed.iter().zip(&v).map(|(v0, v)| v0 + e * (v0 - v)).collect();
-        stepper.let_go(&velocities)?;
+        stepper.system.switch(info.row, false, 0.0);
+        stepper.go_on_with(&velocities)?;
+        stick_slip::switch_after_impact(modes, stepper)?;
         rests = pushes && flight_is_too_short(info, end, stepper);
         if rests {
-            stepper.hold(side(info, mode), &landed)?;
+            stepper.system.switch(info.row, true, side(info, mode));
+            stepper.go_on_with(&landed)?;
+            stick_slip::switch_after_impact(modes, stepper)?;
         }
     }
     let lost = stepper.energy() - before;
@@ -143,10 +160,10 @@ fn arrive<P: SceneRef>(
         *work += lost;
     }
     if rests {
-        modes.mode = mode;
         modes.tell(&info.holds, stepper);
     }
-    Ok(())
+    modes.enter(i, if rests { mode } else { FREE }, stepper);
+    stick_slip::tell_after_impact(modes, stepper)
 }
 
 /// Whether the flight from an end back to it, under the acceleration at its start, is too short to be followed; not when the acceleration
@@ -155,9 +172,9 @@ fn flight_is_too_short<P: SceneRef>(info: &StopInfo, end: usize, stepper: &mut S
     let state = &stepper.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
     // the row says how fast its quantity falls
-    stepper.system.switch(true, side(info, end + 1));
+    stepper.system.switch(info.row, true, side(info, end + 1));
     let (acceleration, rounding) = stepper.system.diagnosis().row_acceleration(&row, &stepper.now.a);
-    stepper.system.switch(false, 0.0);
+    stepper.system.switch(info.row, false, 0.0);
     let fall = -f64::from(info.sides[end]) * acceleration;
     if fall.is_nan() || fall <= 0.0 {
         return false;

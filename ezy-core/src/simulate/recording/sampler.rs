@@ -20,12 +20,45 @@ pub(in crate::simulate) struct Sampler<'s> {
     wanted: Wanted,
     /// Empty unless wanted.
     outputs: Vec<f64>,
-    /// The row of a skate that slides, and its multiplier as a multiple of the limit.
-    pub sliding: Option<(usize, f64)>,
+    pub sliding: SlidingSkates,
     /// Those of the last sample.
     inputs: Vec<f64>,
-    /// Multipliers, with that of a skate that slides.
+}
+
+/// The skates that slide, and what is told of them in place of their multipliers.
+#[derive(Default)]
+pub(in crate::simulate) struct SlidingSkates {
+    pub skates: Vec<Sliding>,
+    /// Of [`Derived::limited_skates`](crate::model::Derived::limited_skates).
+    limits: Vec<f64>,
     multipliers: Vec<f64>,
+}
+
+impl SlidingSkates {
+    /// Multipliers with the forces of the skates that slide.
+    fn multipliers<'m, P: SceneRef>(&'m mut self, system: &System<P>, at: &'m Snapshot) -> &'m [f64] {
+        let Self { skates, limits, multipliers } = self;
+        if skates.is_empty() {
+            return &at.lambda;
+        }
+        let (info, State { t, q, v, .. }) = (system.info(), &at.state);
+        limits.resize(2 * info.limited_skates.len(), 0.0);
+        system.scene().limited_skates(system.fixed(), *t, q, v, limits);
+        multipliers.clone_from(&at.lambda);
+        for Sliding { skate, side } in skates {
+            multipliers[info.limited_skates[*skate].row] = *side * limits[2 * *skate];
+        }
+        multipliers
+    }
+}
+
+/// A skate that slides: its multiplier is the limit, on this side.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::simulate) struct Sliding {
+    /// Place in [`SceneInfo::limited_skates`].
+    pub skate: usize,
+    /// 1 while it slides to the left, -1 to the right.
+    pub side: f64,
 }
 
 impl<'s> Sampler<'s> {
@@ -41,9 +74,8 @@ impl<'s> Sampler<'s> {
             a: vec![0.0; info.n_velocities()],
             wanted,
             outputs: vec![0.0; if wanted.outputs { info.n_outputs() } else { 0 }],
-            sliding: None,
+            sliding: SlidingSkates::default(),
             inputs: vec![0.0; info.n_inputs()],
-            multipliers: Vec::new(),
             info,
         }
     }
@@ -72,17 +104,7 @@ impl<'s> Sampler<'s> {
         let _ = system.at_with(*t, q, Rows::Projected).refine_accelerations(v, &mut self.a);
         let (position_residual, velocity_residual) =
             (system.position_residual(*t, q), system.velocity_residual(*t, q, v));
-        let multipliers = match self.sliding {
-            None => &at.lambda,
-            Some((row, multiple)) => {
-                let mut limit_and_velocity = [0.0; 2];
-                system.scene().stick_slip(system.fixed(), *t, q, v, &mut limit_and_velocity);
-                let [limit, _] = limit_and_velocity;
-                self.multipliers.clone_from(&at.lambda);
-                self.multipliers[row] = multiple * limit;
-                &self.multipliers
-            }
-        };
+        let multipliers = self.sliding.multipliers(system, at);
         system.integrated_inputs().write_at(*t, &mut self.inputs);
         let sample = Sample {
             info: &self.info,

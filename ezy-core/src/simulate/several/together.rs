@@ -57,7 +57,7 @@ impl<P: SceneRef> Simulation<'_, P> {
         let is_usual = (solver.projection, solver.metric) == (Projection::default(), Metric::default());
         let changes = |(_, table): &(String, InputTable)| table.constant().is_none();
         let reasons = [
-            (info.switched_row().is_some(), "its constraints change"),
+            (!info.switches.is_empty(), "its constraints change"),
             (
                 info.events.iter().any(|event| is_located(event.kind)),
                 "what ends it, or is not smooth, has to be located",

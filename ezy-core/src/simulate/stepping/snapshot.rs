@@ -6,6 +6,7 @@ use crate::integrate::Node;
 use crate::model::{SceneInfo, SceneRef};
 
 /// A state with its accelerations, multipliers and powers.
+#[derive(Clone)]
 pub(in crate::simulate) struct Snapshot {
     pub state: State,
     /// Rates of the coordinates; empty where all bodies are planar.

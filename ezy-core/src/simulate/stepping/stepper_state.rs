@@ -259,18 +259,18 @@ impl<P: SceneRef> StepperState<P> {
         self.next.evaluate(&mut self.system)
     }
 
-    /// Switches the row that can be switched ([`System::switch`]), and projects the state, which is not evaluated; without history.
-    pub(in crate::simulate) fn switch(&mut self, holds: bool, side: f64) -> Result<(), MotionError> {
-        self.system.switch(holds, side);
+    /// Switches a row ([`System::switch`]), and projects the state, which is not evaluated; without history.
+    pub(in crate::simulate) fn switch(&mut self, row: usize, holds: bool, side: f64) -> Result<(), MotionError> {
+        self.system.switch(row, holds, side);
         self.restart();
         self.projection.project_unseen(&mut self.system, &mut self.now.state)?;
         Ok(())
     }
 
-    /// Switches the row on, and makes a plastic impact on it. Positions are projected to the last digit: errors normal to the constraints
+    /// Switches a row on, and makes a plastic impact on it. Positions are projected to the last digit: errors normal to the constraints
     /// would remain while flights become short.
-    pub(in crate::simulate) fn apply_impact(&mut self, side: f64) -> Result<(), MotionError> {
-        self.system.switch(true, side);
+    pub(in crate::simulate) fn apply_impact(&mut self, row: usize, side: f64) -> Result<(), MotionError> {
+        self.system.switch(row, true, side);
         self.restart();
         let State { t, q, v, .. } = &mut self.now.state;
         self.system.project_positions(*t, q, Metric::Mass)?;
@@ -279,23 +279,11 @@ impl<P: SceneRef> StepperState<P> {
         self.evaluate_now()
     }
 
-    /// Switches the row off, and goes on from here with these velocities, without history.
-    pub(in crate::simulate) fn let_go(&mut self, v: &[f64]) -> Result<(), MotionError> {
-        self.system.switch(false, 0.0);
-        self.go_on_with(v)
-    }
-
-    /// Goes on from here with these velocities, without history.
-    fn go_on_with(&mut self, v: &[f64]) -> Result<(), MotionError> {
+    /// Goes on from here with these velocities, without history; they keep the rows that are switched on.
+    pub(in crate::simulate) fn go_on_with(&mut self, v: &[f64]) -> Result<(), MotionError> {
         self.now.state.v.copy_from_slice(v);
         self.restart();
         self.evaluate_now()
-    }
-
-    /// Switches the row on where these velocities keep it, and goes on from here with them, without history.
-    pub(in crate::simulate) fn hold(&mut self, side: f64, v: &[f64]) -> Result<(), MotionError> {
-        self.system.switch(true, side);
-        self.go_on_with(v)
     }
 
     /// Kinetic and potential energy, J.

@@ -1,10 +1,10 @@
 //! The tables of a page, in Markdown.
 
 use crate::emit::abbreviations::Abbreviations;
+use crate::mechanics::Equations;
 use crate::mechanics::kernels::{Kernels, Quantity};
 use crate::mechanics::symbols::Symbols;
-use crate::mechanics::{Derived, Equations};
-use crate::model::{BodyId, Coordinate, InputId, Model, Parameter, ParameterId, Switch};
+use crate::model::{BodyId, Coordinate, InputId, Model, Parameter, ParameterId};
 use crate::symbolic::print::{Names, Printed};
 
 /// An expression within a line of text.
@@ -91,20 +91,11 @@ pub fn rows(equations: &Equations) -> Vec<String> {
 }
 
 /// What says how a row takes part that is switched on and off.
-pub fn switches(model: &Model, derived: &Derived<'_>, equations: &Equations) -> Vec<String> {
-    let said = match model.stick_slip_of(&derived.scene) {
-        Some(_) => [
-            "1 while it holds, 0 while it slides",
-            "1 while it slides to the left of its direction, -1 to the right, else 0",
-        ],
-        None => ["1 while it holds, 0 while it is open", "1 at the lower end, -1 at the upper one"],
-    };
-    // nothing reads the side of a stop with one end
-    let n = if model.stop_of(&derived.scene).is_some_and(|stop| stop.ends().count() == 1) { 1 } else { 2 };
-    let switches = Switch::ALL.iter().zip(&equations.switches).zip(said).take(n);
-    let rows = switches.map(|((switch, value), said)| {
-        let symbol = equations.symbols.parameter(model.place_of_switch(*switch));
-        vec![inline(&symbol.mathml), value.to_string(), said.to_owned()]
+pub fn switches(model: &Model, equations: &Equations) -> Vec<String> {
+    let symbols = &equations.symbols;
+    let rows = symbols.switches().iter().enumerate().map(|(i, of)| {
+        let symbol = symbols.parameter(model.n_values() + i);
+        vec![inline(&symbol.mathml), of.start.to_string(), of.documentation.to_owned()]
     });
     markdown(&["", "at the start", "what it is"], rows)
 }

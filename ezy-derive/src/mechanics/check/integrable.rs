@@ -28,7 +28,12 @@ pub fn rows(model: &Model, equations: &mut Equations, reported: &mut Vec<usize>,
     let forms: Vec<Form> = (0..n_c).map(|row| Form::new(equations, row)).collect();
     let samples: Vec<Sample> = (0..SAMPLES).map(|seed| Sample::new(equations, &forms[..n_h], seed)).collect();
     for (row, form) in equations.constraints.rows.iter().zip(&forms).skip(n_h) {
-        if !reported.contains(&row.family) && samples.iter().all(|sample| sample.integrates(equations, form)) {
+        // up to a limit there is no word for positions
+        let has_limit = model.rows[row.family].limit().is_some();
+        if !has_limit
+            && !reported.contains(&row.family)
+            && samples.iter().all(|sample| sample.integrates(equations, form))
+        {
             diag.warning(message::integrates(&model.rows[row.family].name, row.kind, &row.name));
             reported.push(row.family);
         }

@@ -7,7 +7,7 @@ use crate::model::{Expr, Row, Switch};
 use crate::symbolic::SumId;
 
 /// The limit, and n · v_P: zero while the skate holds.
-pub fn stick_slip(writer: &mut Writer<'_>, row: &Row, limit: &Expr) -> [SumId; 2] {
+pub fn limit_and_velocity(writer: &mut Writer<'_>, row: &Row, limit: &Expr) -> [SumId; 2] {
     let normal = normal(writer, row);
     let velocity = writer.velocity(&row.arguments.places[0]);
     [writer.write(limit), writer.dot(normal, velocity)]
@@ -15,8 +15,9 @@ pub fn stick_slip(writer: &mut Writer<'_>, row: &Row, limit: &Expr) -> [SumId; 2
 
 /// The side is constant while it slides, so that the law is smooth; it is 0 while the skate holds.
 pub fn add(writer: &mut Writer<'_>, row: &Row, limit: &Expr, load: &mut Load) {
+    let Some(side) = writer.switch(&row.name, Switch::Side) else { return };
     let normal = normal(writer, row);
-    let (limit, side) = (writer.write(limit), writer.switch(Switch::Side));
+    let limit = writer.write(limit);
     let force = writer.algebra.scale(limit, side.neg());
     let force = normal.map(|x| writer.algebra.mul(force, x));
     load.at(writer, &row.arguments.places[0], force);

@@ -89,7 +89,7 @@ pub fn scalar_rows(writer: &mut Writer<'_>, row: &Row, id: RowId) -> Vec<ScalarR
         Class::VelocityRow => ResidualKind::Velocity(value),
         _ => ResidualKind::Position(value),
     };
-    let holds = row.limit().map(|_| writer.switch(Switch::Holds));
+    let holds = writer.switch(&row.name, Switch::Holds);
     let rows = components.into_iter().map(|component| ScalarRow {
         name: name(component.suffix),
         kind: row.word.word,

@@ -134,12 +134,13 @@ fn analytic_sliding_skate_is_pushed_against_its_side() {
     let across = normal[0] * v[0] + normal[1] * v[1];
     for (side, force) in [(1.0, -5.0), (-1.0, 5.0)] {
         let at = At(Equations::derive(&model, &model.scenes[0]), [0.0, side]);
-        assert_eq!(at.0.switches, [1.0, 0.0], "the skate holds at the start");
+        let start: Vec<f64> = at.0.symbols.switches().iter().map(|switch| switch.start).collect();
+        assert_eq!(start, [1.0, 0.0], "the skate holds at the start");
         assert_eq!(at.value(at.0.constraints.velocity[0]), 0.0, "the row is off");
         assert_close(&at.force(), &at_point([0.4, 0.1], normal.map(|x| force * x)));
         let power: Vec<f64> = at.0.power.iter().map(|&(_, sum)| at.value(sum)).collect();
         assert_close(&power, &[force * across]);
-        let [limit, velocity] = at.0.stick_slip.expect("there is a limit");
+        let [limit, velocity] = at.0.limited_skates[0];
         assert_close(&[at.value(limit), at.value(velocity)], &[5.0, across]);
     }
 }

@@ -113,14 +113,14 @@ fn invariant_a_row_that_effects_release_is_reported_once_for_each_effect() {
 }
 
 #[test]
-fn invariant_a_second_skate_with_a_limit_is_reported_once_for_all_scenes() {
+fn invariant_a_second_stop_is_reported_once_for_all_scenes() {
     let messages = messages_of_forty(|k| {
-        let skates = "skate s1: at A along seat(1, 0) limit 3; skate s2: at bar(0, 0) along bar(1, 0) limit 3; ";
-        if k == 0 { format!("{skates}effect e0 {{ }} ") } else { format!("effect e{k} {{ }} ") }
+        let stops = "stop s1: seat.x to 3; stop s2: seat.y to 3; ";
+        if k == 0 { format!("{stops}effect e0 {{ }} ") } else { format!("effect e{k} {{ }} ") }
     });
     // the message and its second place
     assert_eq!(messages.len(), 2, "{messages:#?}");
-    assert!(messages[0].contains("two skates with a limit, `s1` and `s2`"), "{messages:#?}");
+    assert!(messages[0].contains("two stops, `s1` and `s2`"), "{messages:#?}");
 }
 
 /// A message for each declaration but the first, and the first place behind it, which rustc prints once.

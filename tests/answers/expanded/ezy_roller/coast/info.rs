@@ -389,7 +389,7 @@ impl Coast {
         states: &[],
         outputs: ezy::List::Borrowed(&[]),
         events: &[],
-        stick_slip: ::core::option::Option::None,
+        limited_skates: &[],
         stop: ::core::option::Option::None,
         switches: &[],
         effects: &[],

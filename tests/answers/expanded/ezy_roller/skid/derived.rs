@@ -1,6 +1,6 @@
 #[automatically_derived]
 impl ezy::Derived for Skid {
-    fn stick_slip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+    fn limited_skates(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let c = ezy::array::<45usize, f64>(c);
         let q = ezy::array::<6usize, f64>(q);
         let v = ezy::array::<6usize, f64>(v);
@@ -48,10 +48,10 @@ impl ezy::Derived for Skid {
         let lambda = ezy::array::<4usize, f64>(lambda);
         let by_q = ezy::array_mut::<12usize, f64>(by_q);
         let by_v = ezy::array_mut::<10usize, f64>(by_v);
-        let hold_side = c[34usize];
-        let holds = c[4usize];
+        let hold_rear_on_ice_side = c[34usize];
+        let rear_on_ice_holds = c[4usize];
         let multiplier_3 = lambda[3usize];
-        let sum_5 = hold_side + holds * multiplier_3;
+        let sum_5 = hold_rear_on_ice_side + rear_on_ice_holds * multiplier_3;
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
         let multiplier_0 = lambda[0usize];
@@ -91,7 +91,7 @@ impl ezy::Derived for Skid {
         let seat_omega_b_two = seat_omega * b_two;
         let d_two = c[43usize];
         let bar_omega_d_two = bar_omega * d_two;
-        let holds_seat_omega = holds * seat_omega;
+        let product_88 = rear_on_ice_holds * seat_omega;
         let sum_93 = cos_seat_phi * seat_vx + sin_seat_phi * seat_vy;
         by_q[0usize] = sum_5 * cos_seat_phi;
         by_q[1usize] = sum_5 * sin_seat_phi;
@@ -104,7 +104,7 @@ impl ezy::Derived for Skid {
         by_q[8usize] = b * sum_46;
         by_q[9usize] = d * sum_50;
         by_q[10usize] = product_56 + product_61;
-        by_q[11usize] = holds * (product_67 + product_72);
+        by_q[11usize] = rear_on_ice_holds * (product_67 + product_72);
         by_v[0usize] = cos_seat_phi * seat_omega_b_two;
         by_v[1usize] = cos_bar_phi * bar_omega_d_two;
         by_v[2usize] = sin_seat_phi * seat_omega_b_two;
@@ -112,9 +112,9 @@ impl ezy::Derived for Skid {
         by_v[4usize] = cos_bar_phi * bar_omega;
         by_v[5usize] = sin_bar_phi * bar_omega;
         by_v[6usize] = cos_bar_phi * bar_vx + sin_bar_phi * bar_vy;
-        by_v[7usize] = cos_seat_phi * holds_seat_omega;
-        by_v[8usize] = sin_seat_phi * holds_seat_omega;
-        by_v[9usize] = holds * sum_93;
+        by_v[7usize] = cos_seat_phi * product_88;
+        by_v[8usize] = sin_seat_phi * product_88;
+        by_v[9usize] = rear_on_ice_holds * sum_93;
     }
     fn element_values(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let c = ezy::array::<45usize, f64>(c);

@@ -16,6 +16,7 @@ pub mod plain_rollers;
 pub mod random_models;
 pub mod reference;
 pub mod shapes;
+pub mod tables;
 pub mod top;
 
 /// The programs of the README, of the manual and of the guide, run as documentation tests.

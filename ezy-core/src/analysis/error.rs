@@ -61,6 +61,50 @@ pub enum AnalysisError {
         /// Share of the largest rate.
         change: f64,
     },
+    /// A name that the scene does not have.
+    #[error("scene `{scene}` has no {kind} `{name}`; it has {known}")]
+    Unknown {
+        /// Name of the scene.
+        scene: &'static str,
+        /// What it should be the name of.
+        kind: &'static str,
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: String,
+    },
+    /// Inputs that are to take the place of drives are not as many as these.
+    #[error("{n_inputs} inputs cannot take the place of {n_rows} rows; name one input for each row")]
+    Unequal {
+        /// Rows of the drives.
+        n_rows: usize,
+        /// Inputs.
+        n_inputs: usize,
+    },
+    /// Inputs that do not determine the forces of drives.
+    #[error(
+        "at t = {t} s the inputs of scene `{scene}` do not determine the forces of the drives: two of them act alike, or one          does not act on what is driven, as in a singular position"
+    )]
+    Alike {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Time, s.
+        t: f64,
+    },
+    /// No values of the inputs do what a drive does.
+    #[error(
+        "at t = {t} s no values of the inputs of scene `{scene}` do what `{drive}` does: {left:.3e} of its force are left;          begin with values that are nearer"
+    )]
+    Unbalanced {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Time, s.
+        t: f64,
+        /// The row of which most is left.
+        drive: Name,
+        /// Its multiplier.
+        left: f64,
+    },
     /// Eigenvalues were not found.
     #[error("the eigenvalues of scene `{scene}` were not found: an entry of its matrix is not finite")]
     NoEigenvalues {

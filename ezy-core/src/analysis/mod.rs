@@ -1,15 +1,17 @@
-//! Where a scene rests or runs steadily, and what becomes of small deviations from that.
+//! Where a scene rests or runs steadily, what becomes of small deviations from that, and which torques a motion takes.
 //!
 //! | | |
 //! |---|---|
 //! | [`SteadyMotion`] | rest, or motion that is constant seen from a frame that travels and turns evenly; found from a start |
 //! | [`Linearization`] | x' = A x + B u, y = C x + D u about it, on the manifold of the constraints |
 //! | [`Spectrum`] | eigenvalues, with those that are zero told apart |
+//! | [`InverseDynamics`] | inputs in place of drives: the torques that a prescribed motion takes |
 //!
 //! Derivatives are exact ([`Gradients`]). Knows nothing of steps and of files.
 
 mod error;
 mod frame;
+mod inverse_dynamics;
 mod linearization;
 mod spectrum;
 mod steady_motion;
@@ -19,6 +21,7 @@ mod tolerances;
 
 pub use error::AnalysisError;
 pub use frame::Frame;
+pub use inverse_dynamics::{InverseDynamics, Required};
 pub use linearization::Linearization;
 pub use spectrum::Spectrum;
 pub use steady_motion::SteadyMotion;

@@ -60,3 +60,21 @@ pub(crate) mod spectrum {
     /// Test: `analytic_chain_of_zeros_is_one_block`.
     pub(crate) const MAX_ITERATIONS: usize = 10_000;
 }
+
+/// Inputs in place of drives.
+pub(crate) mod inverse {
+    /// Newton steps at most: one where forces are linear in the inputs, and one for its rounding.
+    /// Unit: steps.
+    /// Test: `analytic_inputs_that_are_not_enough_name_the_drive`.
+    pub(crate) const MAX_STEPS: usize = 30;
+
+    /// What may be left of the force of a drive, as a share of the largest term.
+    /// Unit: 1.
+    /// Test: `analytic_inputs_that_are_not_enough_name_the_drive`.
+    pub(crate) const BALANCED: f64 = 1e-12;
+
+    /// Singular values of the effects of inputs on drives, as a share of the largest: below it inputs act alike.
+    /// Unit: 1.
+    /// Test: `analytic_inputs_that_act_alike_are_refused`.
+    pub(crate) const INDEPENDENT: f64 = 1e-12;
+}

@@ -5,6 +5,7 @@ use ezy_core::dynamics::System;
 use ezy_core::linalg::Backend;
 use ezy_core::model;
 use ezy_core::prelude::*;
+use ezy_tests::tables::{list, number, set_parameters, table};
 use nalgebra::Complex;
 use serde_json::Value;
 
@@ -96,30 +97,6 @@ model! {
     }
 }
 
-fn table(text: &str) -> Value {
-    serde_json::from_str(text).expect("a table")
-}
-
-fn number(value: &Value) -> f64 {
-    let text = value.as_str().expect("a number as text");
-    if text == "pi" { std::f64::consts::PI } else { text.parse().expect("a number") }
-}
-
-fn list(value: &Value) -> &[Value] {
-    value.as_array().map_or(&[], Vec::as_slice)
-}
-
-/// Sets parameters of these names in the table, where the model has them.
-fn set<S: Scene>(scene: &mut S, tables: &[&Value]) {
-    let info = scene.info();
-    for (name, value) in tables.iter().flat_map(|table| table.as_object().into_iter().flatten()) {
-        let place = info.parameters.iter().position(|parameter| parameter.name == name.to_lowercase());
-        if let Some((place, text)) = place.zip(value.as_str()) {
-            scene.set_parameter(place, number(&Value::from(text)));
-        }
-    }
-}
-
 /// The steady motion of an entry is found from itself; it has these eigenvalues, zeros and responses.
 fn check<S: Scene>(scene: &S, inputs: &[(&str, f64)], entry: &Value, tolerance: f64) {
     let mut system = System::new(scene, Backend::Auto).unwrap();
@@ -192,15 +169,24 @@ fn check<S: Scene>(scene: &S, inputs: &[(&str, f64)], entry: &Value, tolerance: 
 
 /// Every entry of every set of a table.
 fn check_all<S: Scene + Default>(text: &str, inputs: impl Fn(&Value) -> Vec<(&'static str, f64)>) -> usize {
+    check_sets::<S>(text, |_| true, inputs)
+}
+
+/// Every entry of the sets of a table that are wanted, by their names; returns how many these are.
+pub(super) fn check_sets<S: Scene + Default>(
+    text: &str,
+    is_wanted: impl Fn(&str) -> bool,
+    inputs: impl Fn(&Value) -> Vec<(&'static str, f64)>,
+) -> usize {
     let table = table(text);
     let mut n = 0;
-    for of in list(&table["sets"]) {
+    for of in list(&table["sets"]).iter().filter(|of| of["name"].as_str().is_none_or(&is_wanted)) {
         let entries = list(&of["entries"]).iter().chain(list(&of["speeds"]));
         // a set may be one motion
         let alone = Some(of).filter(|of| !of["steady"].is_null());
         for entry in entries.chain(alone) {
             let mut scene = S::default();
-            set(&mut scene, &[&of["parameters"], entry]);
+            set_parameters(&mut scene, &[&of["parameters"], entry]);
             if let Some(psi0) = entry["psi0"].as_str() {
                 let place =
                     scene.info().parameters.iter().position(|p| p.name == "e").expect("the angle of the spring");
@@ -230,7 +216,7 @@ fn analytic_roller_keeps_to_a_circle_that_is_held() {
     let table = table(include_str!("../../answers/linear/ezyroller_circle.json"));
     let of = &table["sets"][2];
     let mut scene = roller::Runs::default();
-    set(&mut scene, &[&of["parameters"]]);
+    set_parameters(&mut scene, &[&of["parameters"]]);
     let mut system = System::new(&scene, Backend::Auto).unwrap();
     let [seat, bar] =
         ["seat", "bar"].map(|body| [0, 1, 2, 3, 4, 5].map(|part| number(&of["steady"]["bodies"][body][part])));

@@ -30,6 +30,8 @@ mod gradients;
 mod guide;
 mod hand_and_generated;
 mod hard;
+#[cfg(feature = "analysis")]
+mod inverse_dynamics;
 mod large;
 mod level_cranks;
 #[cfg(feature = "analysis")]
@@ -77,6 +79,8 @@ mod symmetries;
 mod taylor;
 mod threes;
 mod tolerances;
+#[cfg(feature = "analysis")]
+mod towed;
 mod trajectories;
 mod treads;
 mod unequal_masses;

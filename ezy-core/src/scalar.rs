@@ -19,12 +19,14 @@ mod double_double;
 mod dual;
 mod lanes;
 mod plain;
+mod random;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
 pub(crate) use lanes::{in_widest, packed};
 pub(crate) use plain::{legible, legible_time, rounded};
+pub(crate) use random::SplitMix64;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -3,6 +3,7 @@
 use super::derivatives;
 use super::error::AnalysisError;
 use super::frame::Frame;
+use super::mode::Mode;
 use super::spectrum::Spectrum;
 use super::steady_motion::SteadyMotion;
 use super::tolerances::linear::{INDEPENDENT, STEADY};
@@ -106,7 +107,24 @@ impl Linearization {
     /// # Errors
     /// [`AnalysisError::NoEigenvalues`].
     pub fn spectrum(&self) -> Result<Spectrum, AnalysisError> {
-        Spectrum::of(&self.a).ok_or(AnalysisError::NoEigenvalues { scene: self.info.name })
+        Spectrum::of(&self.a).ok_or_else(|| self.no_eigenvalues())
+    }
+
+    /// The modes of the eigenvalues of a spectrum, in its order. A double eigenvalue with one eigenvector has that twice.
+    ///
+    /// # Errors
+    /// [`AnalysisError::NoEigenvalues`].
+    ///
+    /// # Cost
+    /// A complex factorisation for each eigenvalue.
+    pub fn modes(&self, spectrum: &Spectrum) -> Result<Vec<Mode>, AnalysisError> {
+        let n = [self.info.n_coordinates(), self.info.n_velocities()];
+        let modes = spectrum.eigenvalues.iter().enumerate().map(|(i, s)| Mode::of(&self.a, &self.basis, n, *s, i));
+        modes.collect::<Option<Vec<Mode>>>().ok_or_else(|| self.no_eigenvalues())
+    }
+
+    fn no_eigenvalues(&self) -> AnalysisError {
+        AnalysisError::NoEigenvalues { scene: self.info.name }
     }
 }
 

@@ -3,9 +3,12 @@
 //! | | |
 //! |---|---|
 //! | [`SteadyMotion`] | rest, or motion that is constant seen from a frame that travels and turns evenly; found from a start |
+//! | [`Rests`] | all rests that starts over full turns lead to |
 //! | [`Linearization`] | x' = A x + B u, y = C x + D u about it, on the manifold of the constraints |
 //! | [`Spectrum`] | eigenvalues, with those that are zero told apart |
 //! | [`InverseDynamics`] | inputs in place of drives: the torques that a prescribed motion takes |
+//! | [`Mode`] | an eigenvalue with its eigenvector: damping, frequency, what moves |
+//! | [`Locus`] | eigenvalues over a value that varies, and the critical values at which stability changes |
 //!
 //! Derivatives are exact ([`Gradients`]). Knows nothing of steps and of files.
 
@@ -13,6 +16,10 @@ mod error;
 mod frame;
 mod inverse_dynamics;
 mod linearization;
+mod locus;
+mod mode;
+mod rests;
+mod root;
 mod spectrum;
 mod steady_motion;
 #[cfg(test)]
@@ -23,8 +30,11 @@ pub use error::AnalysisError;
 pub use frame::Frame;
 pub use inverse_dynamics::{InverseDynamics, Required};
 pub use linearization::Linearization;
+pub use locus::{CriticalValue, Instability, Locus};
+pub use mode::Mode;
+pub use rests::{Rest, Rests};
 pub use spectrum::Spectrum;
-pub use steady_motion::SteadyMotion;
+pub use steady_motion::{Course, SteadyMotion};
 
 use crate::dynamics::{By, Gradients, Of, OperatingPoint};
 use crate::model::SceneRef;

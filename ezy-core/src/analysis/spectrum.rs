@@ -55,7 +55,23 @@ impl Spectrum {
 
     /// How many eigenvalues have a real part above zero, beyond rounding.
     pub fn n_unstable(&self) -> usize {
-        let largest = self.eigenvalues.iter().fold(0.0, |largest: f64, s| largest.max(s.norm()));
-        self.eigenvalues.iter().filter(|s| s.re > ROUNDING * largest).count()
+        let rounding = self.rounding();
+        self.eigenvalues.iter().filter(|s| s.re > rounding).count()
+    }
+
+    /// How many eigenvalues that are not zero are on the imaginary axis, to rounding.
+    pub fn n_neutral(&self) -> usize {
+        let rounding = self.rounding();
+        self.eigenvalues.iter().filter(|s| s.re.abs() <= rounding).count()
+    }
+
+    /// Real parts up to here, 1/s, are those of zero.
+    pub(super) fn rounding(&self) -> f64 {
+        ROUNDING * self.largest()
+    }
+
+    /// The largest modulus.
+    fn largest(&self) -> f64 {
+        self.eigenvalues.iter().fold(0.0, |largest: f64, s| largest.max(s.norm()))
     }
 }

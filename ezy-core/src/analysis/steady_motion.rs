@@ -3,9 +3,9 @@
 use super::derivatives;
 use super::error::AnalysisError;
 use super::frame::Frame;
-use super::tolerances::search::{FREE, LAST, MAX_HALVINGS, MAX_STEPS, MET};
+use super::tolerances::search::{FREE, LAST, MAX_HALVINGS, MAX_STEPS, MET, STILL, STRAIGHT};
 use crate::dynamics::{By, Gradients, Of, OperatingPoint, State, System};
-use crate::model::coordinate::{body_and_component, n_bodies, place};
+use crate::model::coordinate::{N_OF_BODY, body_and_component, n_bodies, place};
 use crate::model::{Equations as _, Name, SceneInfo, SceneRef, Start};
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 use std::sync::Arc;
@@ -52,6 +52,51 @@ impl SteadyMotion {
         }
         Search::new(system, info, moves)?.run(Point { state, frame, multipliers }, hold)
     }
+
+    /// How it goes on: of which kind the frame is.
+    pub fn course(&self) -> Course {
+        let (State { q, v, .. }, Frame { vx, vy, omega }) = (&self.state, self.frame);
+        if v.iter().all(|v| *v == 0.0) {
+            return Course::Rest;
+        }
+        let first = [0, 1].map(|part| q.get(part).copied().unwrap_or_default());
+        let speed = f64::hypot(vx - omega * first[1], vy + omega * first[0]);
+        // distances from the first body: what the place of the whole mechanism is does not matter
+        let size = q.chunks_exact(N_OF_BODY).map(|q| f64::hypot(q[0] - first[0], q[1] - first[1])).fold(1.0, f64::max);
+        match (omega * size).abs() <= STRAIGHT * speed || omega == 0.0 {
+            true if speed == 0.0 => Course::InPlace,
+            true => Course::Straight { speed },
+            false => {
+                let centre = [-vy / omega, vx / omega];
+                Course::Circle { centre, turn_rate: omega, speed, radius: speed / omega.abs() }
+            }
+        }
+    }
+}
+
+/// How a steady motion goes on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Course {
+    /// Nothing moves.
+    Rest,
+    /// No body moves on, but parts turn evenly, such as wheels and disks.
+    InPlace,
+    /// Along a straight line.
+    Straight {
+        /// Speed, m/s.
+        speed: f64,
+    },
+    /// Around a point.
+    Circle {
+        /// The point, m.
+        centre: [f64; 2],
+        /// Turn rate, rad/s, against the clock.
+        turn_rate: f64,
+        /// Speed of the first body, m/s.
+        speed: f64,
+        /// Of the centre of mass of the first body, m.
+        radius: f64,
+    },
 }
 
 /// The unknowns.
@@ -234,12 +279,17 @@ impl<'s, P: SceneRef> Search<'s, P> {
         to
     }
 
-    /// Sizes of the unknowns, whose rounding is felt: those of a turn of the frame also where it does not turn.
+    /// Sizes of the unknowns, whose rounding is felt: a coordinate that is zero is as exact as the others are, and so is a frame that does not turn.
     fn sizes(&self, point: &Point) -> Vec<f64> {
         let Point { state: State { q, v, z, .. }, frame, multipliers } = point;
         let largest = |x: &[f64]| x.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let [extent, speed] = [q, v].map(|x| largest(x));
-        let mut sizes: Vec<f64> = q.iter().chain(z).chain(multipliers).map(|x| x.abs()).collect();
+        let lengths = self.info.coordinates.iter().zip(q).filter(|(info, _)| info.is_length());
+        let length = lengths.fold(0.0, |length: f64, (_, x)| length.max(x.abs()));
+        let length = if length > 0.0 { length } else { self.system.length() };
+        let units = self.info.coordinates.iter().map(|info| if info.is_length() { length } else { 1.0 });
+        let mut sizes: Vec<f64> = q.iter().zip(units).map(|(x, unit)| x.abs().max(unit)).collect();
+        sizes.extend(z.iter().chain(multipliers).map(|x| x.abs()));
         if self.moves {
             sizes.extend(v.iter().map(|v| v.abs()));
             let turn = if extent > 0.0 { speed / extent } else { speed };
@@ -339,6 +389,8 @@ impl<'s, P: SceneRef> Search<'s, P> {
             }
         }
         let sizes = self.sizes(point);
+        let mass = self.system.mass_matrix();
+        (0..n_q).for_each(|i| terms[i] = f64::max(terms[i], STILL * mass[i] * sizes[i]));
         for (terms, row) in terms.iter_mut().zip(jacobian.row_iter()) {
             *terms = row.iter().zip(&sizes).fold(*terms, |terms, (slope, size)| terms.max((slope * size).abs()));
         }

@@ -1,6 +1,6 @@
 //! Against closed forms.
 
-use super::{AnalysisError, Linearization, Spectrum, SteadyMotion};
+use super::{AnalysisError, Course, Instability, Linearization, Locus, Rests, Spectrum, SteadyMotion};
 use crate::dynamics::System;
 use crate::linalg::Backend;
 use nalgebra::DMatrix;
@@ -60,6 +60,7 @@ fn analytic_rod_without_friction_is_neutral() {
     let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
     let spectrum = Linearization::of(&mut system, &rest).unwrap().spectrum().unwrap();
     assert_eq!((spectrum.eigenvalues.len(), spectrum.n_unstable()), (2, 0), "{spectrum:?}");
+    assert_eq!(spectrum.n_neutral(), 2);
 }
 
 crate::model! {
@@ -154,6 +155,71 @@ fn invariant_motion_that_turns_with_the_ground_is_not_steady() {
     assert!(matches!(error, AnalysisError::NotSteady { .. }), "{error}");
 }
 
+crate::model! {
+    /// A wheel that rows stop at every half turn, with a spiral spring.
+    pub model Wound {
+        param k: N*m = 0.5;
+        body wheel { mass: 1, inertia: 1 }
+        hinge pin: ground(0, 0) ~ wheel(0, 0);
+        constraint stop: sin(wheel.phi) = 0;
+        torsion ground ~ wheel: stiffness k, angle 0, damping 0;
+        start still { at rest; }
+        scene rests { start still; until 1 s; }
+    }
+}
+
+/// Half a turn to the left and to the right are the same place; the spring tells them apart.
+#[test]
+fn analytic_wound_spring_is_another_rest() {
+    let pi = std::f64::consts::PI;
+    for (k, expected) in [(0.5, &[-pi, 0.0, pi][..]), (0.0, &[0.0, pi])] {
+        let scene = wound::Rests { k };
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let start = system.scene_start();
+        let rests = Rests::of(&mut system, &start, &[], 40).unwrap();
+        let angles: Vec<f64> = rests.found.iter().map(|rest| rest.motion.state.q[2]).collect();
+        assert_eq!(angles.len(), expected.len(), "{angles:?}");
+        for (found, exact) in angles.iter().zip(expected) {
+            let left = if k == 0.0 { found.abs() - exact } else { found - exact };
+            assert!(left.abs() <= 1e-12, "{angles:?}");
+        }
+        assert_eq!(rests.found.iter().map(|rest| rest.n_starts).sum::<usize>() + rests.n_lost, 40, "{rests:?}");
+    }
+}
+
+/// Of a rod that rests anywhere on a table, one rest is told, at its start; what is held stays.
+#[test]
+fn invariant_rests_that_are_free_are_one() {
+    let scene = pulled::Rests { f: 0.0 };
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut start = system.scene_start();
+    start.give_position(0, 0.7);
+    for hold in [&[][..], &["block.x"]] {
+        let rests = Rests::of(&mut system, &start, hold, 20).unwrap();
+        let [rest] = &rests.found[..] else { panic!("{rests:?}") };
+        assert_eq!((rest.n_starts, rest.motion.state.q[0], rest.motion.free.is_empty()), (20, 0.7, !hold.is_empty()));
+    }
+    let error = Rests::of(&mut system, &start, &["block.vx"], 20).unwrap_err();
+    assert!(matches!(&error, AnalysisError::UnknownHeld { name, .. } if name == "block.vx"), "{error}");
+}
+
+#[test]
+fn analytic_straight_motion_has_a_speed_and_a_circle_a_radius() {
+    let [still, straight, turning]: [&dyn crate::model::Scene; 3] =
+        [&pulled::Rests { f: 0.0 }, &pulled::Runs { f: 0.0 }, &turning::Turns::default()];
+    let course = |scene| {
+        let mut system = System::new(scene, Backend::Auto).unwrap();
+        let start = system.scene_start();
+        SteadyMotion::near(&mut system, &start, &[]).unwrap().course()
+    };
+    assert_eq!(course(still), Course::Rest);
+    let Course::Straight { speed } = course(straight) else { panic!("{:?}", course(straight)) };
+    assert!((speed - 1.0).abs() <= 1e-14);
+    let Course::Circle { centre, turn_rate, speed, radius } = course(turning) else { panic!("{:?}", course(turning)) };
+    let left = [centre[0], centre[1], turn_rate - 2.0, speed - 2.0, radius - 1.0];
+    assert!(left.iter().all(|left| left.abs() <= 1e-14), "{left:?}");
+}
+
 /// n equal integrators are one block of n, whatever basis they are told in; the eigenvalues beside them stay sharp.
 #[test]
 fn analytic_chain_of_zeros_is_one_block() {
@@ -170,4 +236,92 @@ fn analytic_chain_of_zeros_is_one_block() {
         assert!((found.re - exact).abs() <= 1e-11 && found.im == 0.0, "{spectrum:?}");
     }
     assert!(Spectrum::of(&DMatrix::from_element(1, 1, f64::NAN)).is_none());
+}
+
+/// A v = s v for every mode: of a damped rod, and of two equal oscillators, whose double eigenvalues have two eigenvectors each.
+#[test]
+fn invariant_modes_are_eigenvectors() {
+    /// Of the norm of A: rounding of a solve.
+    const RESIDUAL: f64 = 1e-14;
+    let scene = rod::Hangs::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
+    let rod = Linearization::of(&mut system, &rest).unwrap();
+    let mut twins = rod.clone();
+    let mut a = DMatrix::zeros(4, 4);
+    a.view_mut((0, 0), (2, 2)).copy_from(&rod.a);
+    a.view_mut((2, 2), (2, 2)).copy_from(&rod.a);
+    twins.basis = DMatrix::identity(6, 4);
+    twins.a = a;
+    for linear in [&rod, &twins] {
+        let modes = linear.modes(&linear.spectrum().unwrap()).unwrap();
+        assert_eq!(modes.len(), linear.a.nrows());
+        for mode in &modes {
+            let complex = linear.a.map(|x| nalgebra::Complex::new(x, 0.0));
+            let left = complex * &mode.vector - &mode.vector * mode.eigenvalue;
+            assert!(left.norm() <= RESIDUAL * linear.a.norm() * mode.vector.norm(), "{mode:?}");
+            assert!((mode.deviation[mode.largest[0]] - 1.0).norm() <= 1e-15, "{mode:?}");
+        }
+        for pair in modes.chunks(2).filter(|_| modes.len() > 2) {
+            let alike = pair[0].vector.dotc(&pair[1].vector).norm() / (pair[0].vector.norm() * pair[1].vector.norm());
+            assert!(alike < 0.99, "one eigenvector in place of two: {modes:?}");
+        }
+    }
+    // it turns about the pin, its centre half a metre above, of which it moves by half as many metres as it turns by radians
+    let modes = rod.modes(&rod.spectrum().unwrap()).unwrap();
+    assert_eq!(modes[0].largest, [2, 0], "{modes:?}");
+    let (s, mode) = (modes[0].eigenvalue, &modes[0]);
+    assert!((mode.damping_ratio() - (-s.re / s.norm())).abs() <= 1e-15 && mode.damping_ratio() > 0.0);
+    assert!((s.re * -mode.doubling_time_s() + 2f64.ln()).abs() <= 1e-15, "{mode:?}");
+    assert!((mode.frequency_hz() * std::f64::consts::TAU - s.im).abs() <= 1e-14, "{mode:?}");
+}
+
+/// x'' = −k x − c x' and a second one beside it.
+fn oscillators(of: [[f64; 2]; 2]) -> Result<Spectrum, ()> {
+    let mut a = DMatrix::zeros(4, 4);
+    for (i, [k, c]) in of.into_iter().enumerate() {
+        (a[(2 * i, 2 * i + 1)], a[(2 * i + 1, 2 * i)], a[(2 * i + 1, 2 * i + 1)]) = (1.0, -k, -c);
+    }
+    Spectrum::of(&a).ok_or(())
+}
+
+/// What crosses the axis where, by its kind, from both sides, at a value between and at a given one.
+#[test]
+fn analytic_locus_finds_critical_values() {
+    /// Singular values below 1e-11 of the largest entry, 5, are those of zero: so far from the critical value 0.7 − x is no more seen; twice that.
+    const CRITICAL: f64 = 1e-10;
+    let omega = 2f64.sqrt();
+    let oscillation = Instability::Oscillation { omega };
+    let divergence = Instability::Divergence;
+    type Critical = (f64, Instability, [usize; 2]);
+    type Case<'a> = (&'a str, &'a [f64], fn(f64) -> [[f64; 2]; 2], &'a [Critical]);
+    let cases: [Case<'_>; 6] = [
+        ("flutter", &[3.0, 0.0, 1.0, 2.0], |x| [[2.0, 1.3 - x], [5.0, 1.0]], &[(1.3, oscillation, [0, 2])]),
+        ("flutter that ends", &[0.0, 3.0], |x| [[2.0, x - 1.3], [5.0, 1.0]], &[(1.3, oscillation, [2, 0])]),
+        ("at a value", &[0.0, 1.0, 2.0], |x| [[2.0, 1.0 - x], [5.0, 1.0]], &[(1.0, oscillation, [0, 2])]),
+        ("divergence", &[0.0, 4.0], |x| [[0.7 - x, 1.0], [5.0, 1.0]], &[(0.7, divergence, [0, 1])]),
+        ("without damping", &[0.0, 4.0], |x| [[0.7 - x, 0.0], [5.0, 0.0]], &[(0.7, divergence, [0, 1])]),
+        (
+            "two between neighbours",
+            &[0.0, 4.0],
+            |x| [[2.0, 1.3 - x], [2.1 - x, 1.0]],
+            &[(1.3, oscillation, [0, 2]), (2.1, divergence, [2, 3])],
+        ),
+    ];
+    for (name, values, of, expected) in cases {
+        let locus = Locus::of(values, |x| oscillators(of(x))).unwrap();
+        assert!(locus.points.is_sorted_by(|a, b| a.0 < b.0) && locus.points.len() == values.len(), "{name}");
+        assert_eq!(locus.critical.len(), expected.len(), "{name}: {:?}", locus.critical);
+        for (found, (value, kind, n_unstable)) in locus.critical.iter().zip(expected) {
+            assert!((found.value - value).abs() <= CRITICAL && found.n_unstable == *n_unstable, "{name}: {found:?}");
+            match (found.kind, kind) {
+                (Instability::Oscillation { omega }, Instability::Oscillation { omega: exact }) => {
+                    assert!((omega - exact).abs() <= CRITICAL * exact, "{name}: {found:?}");
+                }
+                (found, kind) => assert_eq!(found, *kind, "{name}"),
+            }
+        }
+    }
+    assert_eq!(Locus::of(&[1.0], |_| Err("no motion")).unwrap_err(), "no motion");
 }

@@ -23,10 +23,43 @@ pub(crate) mod search {
     /// Test: `analytic_rod_hangs_and_stands`.
     pub(crate) const LAST: f64 = 1e-13;
 
+    /// Where there are no forces, those that move a mass by less of the mechanism's size are rounding: a [`MET`]th of it moves nothing by more than
+    /// 1e-16 of the size in 1e7 s.
+    /// Unit: 1/s².
+    /// Test: `invariant_rests_that_are_free_are_one`.
+    pub(crate) const STILL: f64 = 1e-20;
+
+    /// Where the turn of a frame moves no part of the mechanism by more than this share of the speed, the motion is straight: ten times what is
+    /// left of velocities where steps end.
+    /// Unit: 1.
+    /// Test: `analytic_straight_motion_has_a_speed_and_a_circle_a_radius`.
+    pub(crate) const STRAIGHT: f64 = 10.0 * MET;
+
     /// What may be left of an equation where steps end, as a share of the largest term of its kind.
     /// Unit: 1.
     /// Test: `invariant_motion_that_is_not_steady_names_what_is_left`.
     pub(crate) const MET: f64 = 1e-10;
+}
+
+/// All rests from many starts.
+pub(crate) mod rests {
+    use super::search::MET;
+
+    /// First state of the generator of starts: any number serves, so long as it stays.
+    /// Unit: 1.
+    /// Test: `analytic_double_pendulum_has_four_rests`.
+    pub(crate) const SEED: u64 = 0x5EED;
+
+    /// Forces at the same place after whole turns differ by less, as a share of the largest of all starts, unless a spring was wound.
+    /// Unit: 1.
+    /// Test: `analytic_wound_spring_is_another_rest`.
+    pub(crate) const UNWOUND: f64 = MET;
+
+    /// Rests at less distance are one, in rad and as a share of the mechanism's length: the root of [`MET`], because where two rests merge the
+    /// forces grow with the square of the distance from there.
+    /// Unit: 1.
+    /// Test: `analytic_double_pendulum_has_four_rests`.
+    pub(crate) const SAME: f64 = 1e-5;
 }
 
 /// Linear equations about a steady motion.
@@ -77,4 +110,36 @@ pub(crate) mod inverse {
     /// Unit: 1.
     /// Test: `analytic_inputs_that_act_alike_are_refused`.
     pub(crate) const INDEPENDENT: f64 = 1e-12;
+}
+
+/// Eigenvectors.
+pub(crate) mod mode {
+    /// Shifts beside the eigenvalue, as a share of the norm of the matrix: rounding, and more where a pivot vanishes exactly.
+    /// Unit: 1.
+    /// Test: `invariant_modes_are_eigenvectors`.
+    pub(crate) const SHIFTS: [f64; 3] = [1e-15, 1e-14, 1e-13];
+
+    /// Inverse iterations: the first one leaves a share of 1e-10 of other modes at worst, the third one rounding.
+    /// Unit: iterations.
+    /// Test: `invariant_modes_are_eigenvectors`.
+    pub(crate) const ITERATIONS: usize = 3;
+
+    /// What moves by less than this share of what moves most is not named.
+    /// Unit: 1.
+    /// Test: `invariant_modes_are_eigenvectors`.
+    pub(crate) const VISIBLE: f64 = 0.1;
+
+    /// Deviations that differ by less, as a share of the largest one, are alike: far above rounding.
+    /// Unit: 1.
+    /// Test: `invariant_modes_are_eigenvectors`.
+    pub(crate) const ALIKE: f64 = 1e-6;
+}
+
+/// Root loci.
+pub(crate) mod locus {
+    /// Width of the interval in which a critical value is found, as a share of it: a hundredth of the 1e-10 that is promised; rounding of
+    /// eigenvalues leaves some 1e-12.
+    /// Unit: 1.
+    /// Test: `analytic_trailer_sways_from_its_critical_speed_on`.
+    pub(crate) const WIDTH: f64 = 1e-12;
 }

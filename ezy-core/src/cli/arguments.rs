@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::motion_arguments::MotionArguments;
+use super::steady_arguments::{EquilibriumArguments, LinearizeArguments};
 use super::sweep_arguments::SweepArguments;
 use super::value::{Assignment, parse_assignment, parse_number};
 use super::vary::{Variation, parse_variation};
@@ -20,11 +21,13 @@ pub(super) enum Command {
     Compare(CompareArguments),
     Sweep(SweepArguments),
     Merge(MergeArguments),
+    Linearize(LinearizeArguments),
     Animate(AnimateArguments),
     Sketch(SketchArguments),
     Gallery(GalleryArguments),
     Check(CheckArguments),
     Accuracy(AccuracyArguments),
+    Equilibrium(EquilibriumArguments),
     Completions(CompletionsArguments),
     Man(ManArguments),
 }

@@ -11,7 +11,10 @@ use super::examples::Examples;
 use super::failure::Failure;
 use super::interruption::Interruption;
 use super::leads::lead_on;
-use super::{Models, accuracy, animate, check, compare, gallery, list, merge, plot, run, shell, show, sketch, sweep};
+use super::{
+    Models, accuracy, animate, check, compare, equilibrium, gallery, linearize, list, merge, plot, run, shell, show,
+    sketch, sweep,
+};
 use crate::model::ModelInfo;
 
 /// What a command of the caller does with its arguments.
@@ -52,8 +55,8 @@ const VERSION: &str = concat!("with ezy-core ", env!("CARGO_PKG_VERSION"));
 const EXIT_STATUS: &str = "Exit status: 0 done; 1 stopped before the end, 130 by Ctrl-C, 143 by SIGTERM (what was computed is kept); 2 wrong use.";
 
 impl<'m> CommandLine<'m> {
-    /// The commands `list`, `show`, `run`, `plot`, `compare`, `sweep`, `merge`, `animate`, `sketch`, `gallery`,
-    /// `check`, `accuracy`, `completions`, `man` and `help` for `models`.
+    /// The commands `list`, `show`, `run`, `plot`, `compare`, `sweep`, `merge`, `equilibrium`, `linearize`, `animate`, `sketch`,
+    /// `gallery`, `check`, `accuracy`, `completions`, `man` and `help` for `models`.
     pub fn new(models: &'m [&'static ModelInfo]) -> Self {
         Self { models, about: ABOUT, version: VERSION, commands: Vec::new(), default: None }
     }
@@ -121,11 +124,13 @@ impl<'m> CommandLine<'m> {
             Command::Compare(arguments) => compare::compare(self.models, &arguments),
             Command::Merge(arguments) => merge::merge(&arguments),
             Command::Sweep(arguments) => sweep::sweep(self.models, &arguments),
+            Command::Linearize(arguments) => linearize::linearize(self.models, &arguments),
             Command::Animate(arguments) => animate::animate(self.models, &arguments),
             Command::Sketch(arguments) => sketch::sketch(self.models, &arguments),
             Command::Gallery(arguments) => gallery::gallery(self.models, &arguments),
             Command::Check(arguments) => check::check(self.models, &arguments),
             Command::Accuracy(arguments) => accuracy::accuracy(self.models, &arguments),
+            Command::Equilibrium(arguments) => equilibrium::equilibrium(self.models, &arguments),
             Command::Completions(arguments) => shell::completions(self.models, self.clap(program), &arguments),
             Command::Man(arguments) => shell::man(self.clap(program), &arguments),
         }
@@ -147,10 +152,12 @@ impl<'m> CommandLine<'m> {
                 "plot" => command.after_help(examples.of_plot()),
                 "compare" => command.after_help(examples.of_compare()),
                 "sweep" => command.after_help(examples.of_sweep()),
+                "linearize" => command.after_help(examples.of_linearize()),
                 "animate" => command.after_help(examples.of_animate()),
                 "sketch" => command.after_help(examples.of_sketch()),
                 "check" => command.after_help(examples.of_check()),
                 "accuracy" => command.after_help(examples.of_accuracy()),
+                "equilibrium" => command.after_help(examples.of_equilibrium()),
                 _ => command,
             });
         commands.subcommands(self.commands.iter().map(|(command, _)| command.clone()))

@@ -125,6 +125,25 @@ impl Examples {
         ])
     }
 
+    pub(super) fn of_linearize(&self) -> String {
+        let info = self.info.as_ref();
+        let first = info.and_then(|info| info.parameters.first());
+        let (name, value) = first.map_or(("NAME", 1.0), |parameter| (parameter.name, parameter.default));
+        let [low, high, step] = [0.5 * value, 1.5 * value, 0.1 * value].map(|x| rounded(x, 3));
+        let velocity = info.and_then(|info| info.velocities.first()).map_or("BODY.vx", |velocity| &*velocity.name);
+        let near = format!("linearize {} --start {}=0", self.scene, self.last_angle());
+        self.lines(&[
+            (near.clone(), "the steady motion near this start, and its eigenvalues"),
+            (format!("{near} --hold {velocity}"), "with a velocity that is held"),
+            (format!("{near} --vary {velocity}=0.5:5:0.5"), "eigenvalues over a velocity"),
+            (
+                format!("{near} --vary {name}={low}:{high}:{step} --out locus.csv --plot locus.svg"),
+                "where stability changes with a parameter, as a table and a figure, too",
+            ),
+            (format!("{near} --json"), "A, B, C, D and modes, for another program"),
+        ])
+    }
+
     pub(super) fn of_compare(&self) -> String {
         let Self { scene, column, .. } = self;
         self.lines(&[
@@ -166,6 +185,25 @@ impl Examples {
             (format!("accuracy {scene} --until 10 --budget 20"), "other runs, in 20 s"),
             (format!("accuracy {scene} --out out/accuracy --json"), "for another program"),
         ])
+    }
+
+    pub(super) fn of_equilibrium(&self) -> String {
+        let near = format!("equilibrium {} --start {}=0", self.scene, self.last_angle());
+        let first = self.info.as_ref().and_then(|info| info.coordinates.first());
+        let first = first.map_or("BODY.x", |coordinate| &*coordinate.name);
+        self.lines(&[
+            (near.clone(), "the steady motion near this start, with its reactions"),
+            (format!("{near} --hold {first}"), "with a coordinate that keeps its value"),
+            (format!("equilibrium {} --all", self.scene), "every rest that many starts lead to"),
+            (format!("{near} --json"), "for another program"),
+        ])
+    }
+
+    /// Of the last body, which the others steer or pull.
+    fn last_angle(&self) -> &str {
+        let info = self.info.as_ref();
+        let angle = info.and_then(|info| info.coordinates.iter().rev().find(|coordinate| coordinate.is_angle()));
+        angle.map_or("BODY.phi", |coordinate| &*coordinate.name)
     }
 
     fn lines(&self, examples: &[(String, &str)]) -> String {

@@ -10,7 +10,7 @@ use super::selection::{find, path};
 use crate::model::SceneInfo;
 
 /// Options of other tools, and the options or commands here that do the same.
-const OPTIONS: [(&str, &[&str]); 21] = [
+const OPTIONS: [(&str, &[&str]); 22] = [
     ("dt h timestep deltat stepsize fixed-step", &["--step"]),
     ("hmax dtmax max-step max-dt hmin dtmin min-step", &["--rtol", "--step"]),
     ("tol tolerance precision eps epsilon accuracy error", &["--rtol", "--atol"]),
@@ -33,6 +33,7 @@ const OPTIONS: [(&str, &[&str]); 21] = [
     ("print-json format output-format fmt", &["--json", "--out"]),
     ("x xaxis versus vs abscissa phase", &["--against"]),
     ("figure graph chart", &["plot"]),
+    ("eig eigen eigenvalue eigenvalues modes modal linearise linearize linearization", &["linearize"]),
     ("animation gif video movie anim render mp4 webm", &["animate"]),
     ("png svg html pdf picture image", &["plot", "sketch", "animate"]),
 ];
@@ -68,7 +69,8 @@ const VALUES: [(&str, &str, &str); 14] = [
 ];
 
 /// Commands of other tools, and the command here with what to write.
-const COMMANDS: [(&str, &str, &str); 13] = [
+const COMMANDS: [(&str, &str, &str); 15] = [
+    ("equilibria trim static statics steady steady-state rest", "equilibrium", "equilibrium MODEL/SCENE"),
     ("simulate sim solve integrate start exec execute go compute motion csv export save", "run", "run MODEL/SCENE"),
     ("draw picture diagram drawing view viewer svg image", "sketch", "sketch MODEL/SCENE"),
     ("gif animation anim movie video render play player film", "animate", "animate MODEL/SCENE"),
@@ -77,6 +79,11 @@ const COMMANDS: [(&str, &str, &str); 13] = [
         "scan vary range batch parametric montecarlo ensemble doe",
         "sweep",
         "sweep MODEL/SCENE --vary NAME=START:END:STEP",
+    ),
+    (
+        "linearise linearisation linearization linmod eig eigen eigenvalue eigenvalues modes modal stability locus root-locus rlocus",
+        "linearize",
+        "linearize MODEL/SCENE",
     ),
     (
         "bench benchmark convergence precision work-precision error errors tolerance methods",
@@ -97,18 +104,14 @@ const COMMANDS: [(&str, &str, &str); 13] = [
 ];
 
 /// What no command and no option does, and the nearest thing.
-const ABSENT: [(&str, &str); 22] = [
+const ABSENT: [(&str, &str); 21] = [
     (
-        "linearise linearize linearisation linearization linmod eig eigen eigenvalue eigenvalues modes modal bode sensitivity",
-        "no command linearises; 'show' prints the equations of motion, and programs have the derivatives of a run (ezy_core::simulate)",
+        "bode nyquist sensitivity",
+        "no command draws responses or sensitivities; 'linearize --json' prints A, B, C, D, and programs have responses (ezy_core::analysis)",
     ),
     (
         "optimise optimize fit identify calibrate",
         "no command optimises; 'sweep' runs a scene with many values, and programs loop over scenes, whose parameters are fields",
-    ),
-    (
-        "equilibrium equilibria trim static statics steady steady-state",
-        "no command looks for an equilibrium; a run of a model with dampers comes to rest at a stable one",
     ),
     (
         "inverse inverse-dynamics inverse-kinematics ik kinematic kinematics",
@@ -489,10 +492,10 @@ mod tests {
             ("results a/b", "no command reads results"),
             ("run a/b --gravity 9.81", "no parameter here is in m/s^2"),
             ("run a/b --realtime", "has the speed"),
-            ("linearise a/b", "no command linearises"),
-            ("eig a/b", "no command linearises"),
+            ("linearise a/b", "use 'ezy linearize MODEL/SCENE': Finds a steady motion"),
+            ("bode a/b", "no command draws responses"),
             ("compile a/b", "models are compiled with the crate"),
-            ("run a/b --eigenvalues", "no command linearises"),
+            ("run a/b --eigenvalues", "use the command 'ezy linearize'"),
             ("run a/b --verbose", "one level of output"),
             ("run a/b --seed 1", "nothing random"),
             ("run a/b --stats", "energies, steps and time"),

@@ -1,5 +1,5 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `sweep`, `merge`, `animate`, `sketch`, `gallery`,
-//! `check`, `accuracy`, `completions`, `man` and `help`.
+//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `sweep`, `merge`, `equilibrium`, `linearize`, `animate`,
+//! `sketch`, `gallery`, `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:
 //!
@@ -23,12 +23,18 @@ mod compare;
 mod drawing;
 #[cfg(feature = "figures")]
 mod drawing_of_columns;
+mod equilibrium;
+#[cfg(feature = "analysis")]
+mod equilibrium_text;
 mod examples;
 mod failure;
 mod gallery;
 mod interruption;
 mod json;
 mod leads;
+mod linearize;
+#[cfg(feature = "analysis")]
+mod linearize_text;
 mod list;
 mod merge;
 mod motion;
@@ -40,6 +46,8 @@ mod out_path;
 mod plot;
 mod progress;
 mod quantity;
+#[cfg(feature = "analysis")]
+mod root_locus;
 mod run;
 mod run_end;
 mod run_error;
@@ -50,6 +58,11 @@ mod shell;
 mod show;
 mod sketch;
 mod slurm;
+#[cfg(feature = "analysis")]
+mod steady;
+mod steady_arguments;
+#[cfg(feature = "analysis")]
+mod steady_text;
 mod sweep;
 mod sweep_arguments;
 mod sweep_maps;

@@ -191,6 +191,12 @@ impl<P: SceneRef> System<P> {
         &self.mass
     }
 
+    /// Length that goes with an angle of one radian, m: the longest lever of a row.
+    #[cfg(feature = "analysis")]
+    pub(crate) fn length(&self) -> f64 {
+        self.geometry.length
+    }
+
     /// Work done so far, and what a method adds.
     pub(crate) fn counters(&mut self) -> &mut Counters {
         &mut self.counters

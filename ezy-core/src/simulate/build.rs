@@ -64,6 +64,13 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
         self.settings.free_start_values(self.scene.clone())
     }
 
+    /// The scene with its constant inputs and its start, for what is no run.
+    #[cfg(all(feature = "cli", feature = "analysis"))]
+    pub(crate) fn system_at_start(self) -> Result<(System<P>, Start), SetupError> {
+        let (system, start, _) = self.settings.assembled(self.scene.clone())?;
+        Ok((system, start))
+    }
+
     /// Hands the scene over to be stepped by the caller; end, limits, recording and progress are left to the caller, too.
     ///
     /// # Errors

@@ -5,6 +5,7 @@ use crate::dynamics::{System, SystemError};
 use crate::linalg::Backend;
 use crate::model::body_kind;
 use crate::model::{Scene, SceneInfo};
+use crate::scalar::SplitMix64;
 use std::sync::Arc;
 
 /// Number of random states, of a scene with at most sixty unknowns.
@@ -87,24 +88,6 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
             rows[row] += entries[k] * d[column];
         }
         rows
-    }
-}
-
-/// A small random generator with a fixed seed, so that a failure is reproducible.
-///
-/// # Source
-/// Steele, Lea, Flood, OOPSLA 2014.
-struct SplitMix64(u64);
-
-impl SplitMix64 {
-    /// Uniform in −1 … 1.
-    fn symmetric(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^= z >> 31;
-        (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 }
 

@@ -313,7 +313,19 @@ fn invariant_check_passes_on_every_scene() {
 #[test]
 fn invariant_help_of_every_command_has_its_usage() {
     for command in [
-        "list", "show", "run", "plot", "compare", "sweep", "animate", "sketch", "gallery", "check", "accuracy", "study",
+        "list",
+        "show",
+        "run",
+        "plot",
+        "compare",
+        "sweep",
+        "linearize",
+        "animate",
+        "sketch",
+        "gallery",
+        "check",
+        "accuracy",
+        "study",
     ] {
         let help = output(&[command, "--help"]);
         assert!(help.contains(&format!("Usage: ezy {command}")), "{help}");

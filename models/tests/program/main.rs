@@ -2,10 +2,14 @@
 
 mod cli;
 mod equations;
+#[cfg(feature = "analysis")]
+mod equilibrium;
 mod faults;
 mod guide;
 mod hostile;
 mod leads;
+#[cfg(feature = "analysis")]
+mod linearize;
 mod new;
 mod pictures;
 mod plots;

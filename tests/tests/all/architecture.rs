@@ -22,7 +22,7 @@ const CORE: &[(&str, &[&str])] = &[
     ("layout", &["layout", "model"]),
     ("linalg", &["linalg", "model"]),
     ("dynamics", &["dynamics", "linalg", "model", "scalar"]),
-    ("analysis", &["analysis", "dynamics", "model"]),
+    ("analysis", &["analysis", "dynamics", "model", "scalar"]),
     ("integrate", &["integrate", "dynamics", "linalg", "model", "scalar"]),
     ("output", &["output"]),
     ("record", &["record", "model"]),
@@ -38,7 +38,9 @@ const CORE: &[(&str, &[&str])] = &[
         "cli",
         &[
             "cli",
+            "analysis",
             "accuracy",
+            "analysis",
             "sweep",
             "testing",
             "simulate",

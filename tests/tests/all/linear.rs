@@ -1,6 +1,6 @@
 //! Steady motions, eigenvalues and responses, against closed forms.
 
-use ezy_core::analysis::{Linearization, SteadyMotion};
+use ezy_core::analysis::{AnalysisError, Instability, Linearization, Locus, SteadyMotion};
 use ezy_core::dynamics::System;
 use ezy_core::linalg::Backend;
 use ezy_core::model;
@@ -263,4 +263,60 @@ fn analytic_car_on_linear_tyres() {
 #[test]
 fn analytic_trailer_sways() {
     assert!(check_all::<towed::Runs>(include_str!("../../answers/linear/car_and_trailer.json"), |_| vec![]) > 10);
+}
+
+/// Of critical speeds: the interval of the search, and what rounding of eigenvalues makes of it.
+const CRITICAL: f64 = 1e-10;
+
+/// From a root locus over the speed, in steps that do not meet the critical speed.
+#[test]
+fn analytic_trailer_sways_from_its_critical_speed_on() {
+    let table = table(include_str!("../../answers/linear/car_and_trailer.json"));
+    let mut n = 0;
+    for of in list(&table["sets"]) {
+        let mut scene = towed::Runs::default();
+        set_parameters(&mut scene, &[&of["parameters"]]);
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let spectrum = |v: f64| {
+            let mut start = system.scene_start();
+            // the angles are given, and the speeds
+            [0, 3].into_iter().for_each(|i| start.give_velocity(i, v));
+            let motion = SteadyMotion::near(&mut system, &start, &["car.vx"])?;
+            Linearization::of(&mut system, &motion)?.spectrum()
+        };
+        let speeds: Vec<f64> = (1..=12).map(|i| 5.0 * f64::from(i)).collect();
+        let locus = Locus::of::<AnalysisError>(&speeds, spectrum).unwrap();
+        let expected = list(&of["critical_speeds"]);
+        assert_eq!(locus.critical.len(), expected.len(), "{:?}", locus.critical);
+        for (found, expected) in locus.critical.iter().zip(expected) {
+            let exact = number(&expected["v"]);
+            assert!((found.value - exact).abs() <= CRITICAL * exact, "{found:?} for {exact}");
+            let n_unstable = ["unstable_below", "unstable_above"].map(|key| expected[key].as_u64());
+            assert_eq!(found.n_unstable.map(|n| Some(n as u64)), n_unstable);
+            let Instability::Oscillation { omega } = found.kind else { panic!("{found:?}") };
+            let exact = number(&expected["frequency_rad_per_s"]);
+            assert!((omega - exact).abs() <= CRITICAL * exact, "{omega} for {exact}");
+            n += 1;
+        }
+    }
+    assert_eq!(n, 3);
+}
+
+/// An oversteering car diverges above v = √(cf cr L² / (m (a cf − b cr))), without oscillation, where the zero of its yaw joins the others.
+#[test]
+fn analytic_car_diverges_from_its_critical_speed_on() {
+    let (m, a, b, cf, cr) = (1500.0, 1.6, 1.1, 1e5, 8e4);
+    let scene = car::Runs { m, a, b, cf, cr, ..car::Runs::default() };
+    let exact = (cf * cr * (a + b) * (a + b) / (m * (a * cf - b * cr))).sqrt();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let spectrum = |v: f64| {
+        let mut start = system.scene_start();
+        start.give_velocity(0, v);
+        let motion = SteadyMotion::near(&mut system, &start, &["car.vx"])?;
+        Linearization::of(&mut system, &motion)?.spectrum()
+    };
+    let locus = Locus::of::<AnalysisError>(&[10.0, 20.0, 30.0, 40.0], spectrum).unwrap();
+    let [found] = locus.critical[..] else { panic!("{:?}", locus.critical) };
+    assert!((found.value - exact).abs() <= CRITICAL * exact, "{found:?} for {exact}");
+    assert_eq!((found.kind, found.n_unstable), (Instability::Divergence, [0, 1]));
 }

@@ -17,6 +17,8 @@ mod dop853;
 mod drawing;
 mod drives;
 mod ensemble;
+#[cfg(feature = "analysis")]
+mod equilibria;
 mod error_estimate;
 mod events;
 mod exact_start;

@@ -1,0 +1,100 @@
+//! The steady motion that arguments ask for, and the linear equations about it.
+
+use super::Models;
+use super::failure::Failure;
+use super::motion::{refused, simulation};
+use super::motion_arguments::MotionArguments;
+use super::names::{check_assignments, scene_entry, scene_with};
+use super::steady_arguments::SteadyArguments;
+use super::value::parse_number;
+use super::vary::{Target, set, target};
+use crate::analysis::{AnalysisError, Linearization, Rests, Spectrum, SteadyMotion};
+use crate::integrate::Method;
+use crate::model::{ModelInfo, SceneEntry, SceneInfo};
+use crate::record::find_name;
+use std::sync::Arc;
+
+/// What is asked for of a scene.
+pub(super) struct Request {
+    model: &'static ModelInfo,
+    entry: &'static SceneEntry,
+    motion: MotionArguments,
+    hold: Vec<String>,
+}
+
+impl Request {
+    pub(super) fn new(models: Models<'_>, arguments: &SteadyArguments) -> Result<Self, Failure> {
+        let SteadyArguments { path, set, start, input, hold } = arguments;
+        let (model, entry) = scene_entry(models, path)?;
+        check_assignments(model, entry, start, input)?;
+        let info = (entry.info)();
+        for name in hold {
+            let states = info.states.iter().map(|state| state.name);
+            let known = info.coordinates.iter().chain(&*info.velocities).map(|c| &*c.name).chain(states);
+            find_name("start value", name, known)?;
+        }
+        let motion = MotionArguments {
+            set: set.clone(),
+            start: start.clone(),
+            input: input.clone(),
+            ..MotionArguments::default()
+        };
+        Ok(Self { model, entry, motion, hold: hold.clone() })
+    }
+
+    pub(super) fn info(&self) -> Arc<SceneInfo> {
+        (self.entry.info)()
+    }
+
+    /// How the scene is typed.
+    pub(super) fn path(&self) -> String {
+        super::selection::path(self.model, self.entry)
+    }
+
+    /// The steady motion near the start, with a value that varies, and the linear equations about it.
+    pub(super) fn linearized(&self, varied: Option<(&str, &str)>) -> Result<(SteadyMotion, Linearization), Failure> {
+        let (mut motion, mut hold) = (self.motion.clone(), self.hold.clone());
+        if let Some((name, value)) = varied {
+            set(&mut motion, name, value, &self.info())?;
+            let is_start = target(name, &self.info())? == Target::Start;
+            // at rest no velocity is an unknown
+            let moves = || !self.info().velocities.iter().any(|v| *v.name == *name) || parse_number(value) != Ok(0.0);
+            if is_start && moves() && !hold.iter().any(|held| held == name) {
+                hold.push(name.to_owned());
+            }
+        }
+        let scene = scene_with(self.model, self.entry, &motion.set)?;
+        let run = simulation(&motion, scene.as_ref(), Method::default())?;
+        let (mut system, start) = run.system_at_start().map_err(refused)?;
+        let hold: Vec<&str> = hold.iter().map(String::as_str).collect();
+        let found = SteadyMotion::near(&mut system, &start, &hold).map_err(failed)?;
+        let linear = Linearization::of(&mut system, &found).map_err(failed)?;
+        Ok((found, linear))
+    }
+
+    /// Every rest that many starts lead to, with its eigenvalues.
+    pub(super) fn rests(&self) -> Result<(Rests, Vec<Spectrum>), Failure> {
+        let scene = scene_with(self.model, self.entry, &self.motion.set)?;
+        let run = simulation(&self.motion, scene.as_ref(), Method::default())?;
+        let (mut system, start) = run.system_at_start().map_err(refused)?;
+        let hold: Vec<&str> = self.hold.iter().map(String::as_str).collect();
+        let rests = Rests::of(&mut system, &start, &hold, N_STARTS).map_err(failed)?;
+        let spectra = rests.found.iter().map(|rest| Linearization::of(&mut system, &rest.motion)?.spectrum());
+        let spectra = spectra.collect::<Result<_, _>>().map_err(failed)?;
+        Ok((rests, spectra))
+    }
+}
+
+/// Starts of the search for all rests.
+pub(super) const N_STARTS: usize = 128;
+
+/// Why there is no result, by exit status.
+pub(super) fn failed(error: AnalysisError) -> Failure {
+    match error {
+        AnalysisError::UnknownHeld { .. }
+        | AnalysisError::Spatial { .. }
+        | AnalysisError::System(_)
+        | AnalysisError::Start(_) => Failure::wrong_use(error),
+        error => Failure::stopped(error),
+    }
+}

@@ -1,0 +1,56 @@
+//! The command `equilibrium` on scenes of the crate, against closed forms.
+
+use crate::run::{assert_wrong_use, ezy, text};
+use crate::{json, output};
+
+/// Positions of a rest, rad.
+const STEADY: f64 = 1e-11;
+
+#[test]
+fn analytic_double_pendulum_hangs_below_its_start() {
+    let start = ["equilibrium", "doublependulum/swing", "--start", "upper.phi=-1.4", "--start", "lower.phi=-1.5"];
+    let told = output(&start);
+    for words in
+        ["DoublePendulum/swing: steady at rest", "reaction", " N\n", "neutral by the linear part: 4 eigenvalues"]
+    {
+        assert!(told.contains(words), "no `{words}` in {told}");
+    }
+    let rest = json(&[&start[..], &["--json"]].concat());
+    for angle in ["upper.phi", "lower.phi"] {
+        let left = rest["steady"]["state"][angle].as_f64().expect("a number") + std::f64::consts::FRAC_PI_2;
+        assert!(left.abs() <= STEADY, "{rest}");
+    }
+    assert_eq!((&rest["steady"]["kind"], &rest["verdict"]), (&"rest".into(), &"neutral".into()), "{rest}");
+}
+
+#[test]
+fn analytic_all_rests_of_a_double_pendulum() {
+    let path = ["equilibrium", "doublependulum/swing", "--all"];
+    let told = output(&path);
+    assert!(told.contains("4 rests found from 128 starts") && told.contains("unstable"), "{told}");
+    let all = json(&[&path[..], &["--json"]].concat());
+    let rests = all["rests"].as_array().expect("a list");
+    let mut unstable: Vec<u64> = rests.iter().filter_map(|rest| rest["unstable"].as_u64()).collect();
+    unstable.sort_unstable();
+    assert_eq!(unstable, [0, 1, 1, 2], "{all}");
+    let starts: u64 = rests.iter().filter_map(|rest| rest["starts"].as_u64()).sum();
+    assert_eq!(starts + all["lost"].as_u64().expect("a number"), 128);
+}
+
+#[test]
+fn invariant_steady_run_has_a_speed_and_names_what_is_free() {
+    let told = output(&["equilibrium", "ezyroller/coast", "--start", "bar.phi=0", "--start", "seat.omega=0"]);
+    for words in ["steady straight at 1 m/s", "with other values of bar.", "Newton step"] {
+        assert!(told.contains(words), "no `{words}` in {told}");
+    }
+}
+
+#[test]
+fn invariant_what_is_not_steady_says_why() {
+    // down a slope it goes faster and faster
+    let done = ezy(&["equilibrium", "chaplyginsleigh/downhill"]);
+    assert_eq!(done.status.code(), Some(1), "{}", text(&done.stdout));
+    let told = text(&done.stderr);
+    assert!(told.contains("steady"), "{told}");
+    assert_wrong_use(&["equilibrium", "doublependulum/swing", "--hold", "uper.phi"], "did you mean `upper.phi`?");
+}

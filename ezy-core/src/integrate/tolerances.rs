@@ -393,3 +393,45 @@ pub(crate) mod radau {
     /// and `analytic_seven_level_cranks_by_radau_are_a_pendulum_in_few_steps`.
     pub(crate) const LARGEST_COUPLED: usize = 80;
 }
+
+/// Steps of Taylor's method.
+pub(crate) mod taylor {
+    /// Orders above the optimum for a cost proportional to the square of the order: factorisations and projections cost the same
+    /// at any order, and longer steps need fewer of them.
+    /// Unit: orders.
+    /// Test: `analytic_order_grows_with_the_logarithm_of_the_tolerance`.
+    pub(crate) const MORE_ORDERS: f64 = 2.0;
+
+    /// Steps stay below this part of the radius of convergence, however small the terms are.
+    /// Unit: logarithm to the base 2 of a share of the radius.
+    /// Test: `analytic_geometric_series_are_cut_off_at_the_tolerance`.
+    pub(crate) const LOG_WITHIN_RADIUS: f64 = -1.0;
+
+    /// The remainder counts at least as this part of the last term.
+    /// Unit: logarithm to the base 2 of a share of the last term.
+    /// Test: `analytic_geometric_series_are_cut_off_at_the_tolerance`.
+    pub(crate) const LOG_LEAST_REST: f64 = -4.0;
+
+    /// Newton passes to a node of the quadrature of works: each doubles the digits of an estimate that has three.
+    /// Unit: passes.
+    /// Test: `analytic_gauss_nodes_are_exact_to_their_degree`.
+    pub(crate) const NODE_PASSES: usize = 5;
+}
+
+/// Motions in double-double numbers.
+pub(crate) mod precise {
+    /// Tolerance of a step, absolute and relative: the last digit but one.
+    /// Unit: m, rad, m/s, rad/s, and 1.
+    /// Test: `reference_double_double_driven_to_29_digits`.
+    pub(crate) const TOLERANCE: f64 = 1e-30;
+
+    /// Newton corrections at most: each gains at least the ten digits of a factorisation in f64.
+    /// Unit: corrections.
+    /// Test: `invariant_precise_motion_keeps_energy_and_hinge`.
+    pub(crate) const MAX_CORRECTIONS: usize = 8;
+
+    /// Refinements of a solution by factors in f64 at most.
+    /// Unit: refinements.
+    /// Test: `invariant_precise_motion_by_refined_factors_keeps_energies_and_hinges`.
+    pub(crate) const MAX_REFINEMENTS: usize = 12;
+}

@@ -6,15 +6,15 @@ use std::path::{Path, PathBuf};
 
 const LAYERS: [&str; 4] = ["dynamics", "linalg", "integrate", "simulate"];
 
-/// Numbers of a method that stand with its formulas: coefficients, and all of the Taylor series.
-const WITH_FORMULAS: [&str; 2] = ["tableau.rs", "taylor"];
+/// Numbers of a method that stand with its formulas: coefficients.
+const WITH_FORMULAS: [&str; 1] = ["tableau.rs"];
 
 /// The layer in which numbers may stand without a name: in formulas of a source, as that of a first step, and in tolerances of given steps.
 const WITH_NAMELESS: &str = "integrate";
 
 /// Numbers that are no thresholds: the modes of a scene, a place in a group of inputs, what mathematics gives, sizes and orders of methods, and
 /// public numbers.
-const NO_THRESHOLDS: [&str; 17] = [
+const NO_THRESHOLDS: [&str; 21] = [
     "FREE",
     "HOLDS",
     "SLIDES_LEFT",
@@ -32,6 +32,10 @@ const NO_THRESHOLDS: [&str; 17] = [
     "SMALLEST_RELATIVE",
     "DEFAULT",
     "SINCE",
+    "ORDER",
+    "TWO_BODIES",
+    "N_LAST",
+    "LOG_NOTHING",
 ];
 
 const NUMBERS: [&str; 8] = ["f64", "f32", "usize", "u32", "u64", "i32", "std::ops::Range<f64>", "Range<f64>"];

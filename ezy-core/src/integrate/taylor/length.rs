@@ -2,15 +2,12 @@
 
 use super::states::States;
 use crate::integrate::Tolerance;
+use crate::integrate::tolerances::taylor::{LOG_LEAST_REST, LOG_WITHIN_RADIUS, MORE_ORDERS};
 use crate::model::SeriesStore;
 use crate::scalar::Scalar;
 
 /// Range of orders. Lower ones gain nothing over other methods; higher ones serve tolerances below double precision.
 const ORDERS: std::ops::RangeInclusive<usize> = 6..=24;
-
-/// Orders above the optimum for a cost proportional to the square of the order: factorisations and projections cost the same
-/// at any order, and longer steps need fewer of them.
-const MORE_ORDERS: f64 = 2.0;
 
 /// The order that takes about the least time for a tolerance: over the driven EzyRoller one that is lower or higher by 2
 /// takes 2 to 10 % more.
@@ -24,12 +21,6 @@ pub(crate) fn order_for(tolerance: Tolerance) -> usize {
 
 /// Number of last orders that are examined: a symmetric motion lacks every second one.
 const N_LAST: usize = 4;
-
-/// Steps stay below this part of the radius of convergence, as a power of two, however small the terms are.
-const LOG_WITHIN_RADIUS: f64 = -1.0;
-
-/// The remainder counts at least as this part of the last term, as a power of two.
-const LOG_LEAST_REST: f64 = -4.0;
 
 /// Logarithm that represents zero.
 const LOG_NOTHING: f64 = -1023.0;

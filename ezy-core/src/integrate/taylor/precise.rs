@@ -5,30 +5,14 @@ use super::length::{longest_step, write_weights};
 use super::states::States;
 use crate::dynamics::{MotionError, Rows, State, System, SystemError, not_finite};
 use crate::integrate::Tolerance;
+use crate::integrate::tolerances::precise::{MAX_CORRECTIONS, MAX_REFINEMENTS, TOLERANCE};
+use crate::integrate::tolerances::steps::SHORTEST;
 use crate::linalg::Backend;
 use crate::model::{Pivots, PreciseScene, Scene, SceneRef, SeriesStore};
 use crate::scalar::{DoubleDouble, Scalar};
 
-/// Tolerance of a step, absolute in m, rad, m/s, rad/s and relative: the last digit but one.
-const TOLERANCE: f64 = 1e-30;
-
 /// Order of a step; that of least time for [`TOLERANCE`].
 const ORDER: usize = 38;
-
-/// Tolerance of constraint residuals, relative to the largest number of the state or 1.
-const RESIDUAL: f64 = 1e-30;
-
-/// Largest number of Newton corrections: each gains at least the ten digits of a factorisation in f64.
-const MAX_CORRECTIONS: usize = 8;
-
-/// Refinements of a solution by factors in f64.
-const MAX_REFINEMENTS: usize = 12;
-
-/// Refinement ends when a correction is this much smaller than the solution.
-const REFINED: f64 = 1e-31;
-
-/// Shortest step, relative to the time or to one second: shorter steps change nothing.
-const SHORTEST: f64 = 1e-14;
 
 /// There is no motion in double-double.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -246,20 +230,22 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
     /// Positions onto their rows, then velocities onto all rows.
     fn project(&mut self) -> Result<(), MotionError> {
         let n_h = self.solver.system.info().n_position_rows;
+        let mut left = f64::INFINITY;
         for _ in 0..MAX_CORRECTIONS {
             let Self { scene, solver, t, q, residual, .. } = self;
             residual.fill(DoubleDouble::default());
             scene.position_constraint(&solver.fixed, (*t).into(), q, &mut residual[..n_h]);
-            if largest(residual) <= RESIDUAL * largest(q).max(1.0) {
+            if is_rounding(largest(residual), &mut left) {
                 break;
             }
             self.correct()?;
             self.q.iter_mut().zip(&self.delta).for_each(|(q, delta)| *q = *q + *delta);
         }
+        left = f64::INFINITY;
         for _ in 0..MAX_CORRECTIONS {
             let Self { scene, solver, t, q, v, residual, .. } = self;
             scene.velocity_constraint(&solver.fixed, (*t).into(), q, v, residual);
-            if largest(residual) <= RESIDUAL * largest(v).max(1.0) {
+            if is_rounding(largest(residual), &mut left) {
                 break;
             }
             self.correct()?;
@@ -338,6 +324,7 @@ impl<P: SceneRef> OrderSolver<DoubleDouble> for Refined<'_, P> {
         let lambda = &mut lambda[k * n_c..][..n_c];
         a.fill(DoubleDouble::default());
         lambda.fill(DoubleDouble::default());
+        let mut left = f64::INFINITY;
         for _ in 0..MAX_REFINEMENTS {
             let (of_force, of_row) = self.rest.split_at_mut(n_q);
             for (i, rest) in of_force.iter_mut().enumerate() {
@@ -353,10 +340,11 @@ impl<P: SceneRef> OrderSolver<DoubleDouble> for Refined<'_, P> {
             let (da, dlambda) = self.solution.split_at(n_q);
             a.iter_mut().zip(da).for_each(|(a, change)| *a = *a + (*change).into());
             lambda.iter_mut().zip(dlambda).for_each(|(lambda, change)| *lambda = *lambda + (*change).into());
-            let small = |x: &[DoubleDouble], change: &[f64]| {
-                change.iter().fold(0.0, |m: f64, x| m.max(x.abs())) <= REFINED * largest(x)
+            let share = |x: &[DoubleDouble], change: &[f64]| {
+                let change = change.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+                if change > 0.0 { change / largest(x) } else { 0.0 }
             };
-            if small(a, da) && small(lambda, dlambda) {
+            if is_rounding(share(a, da).max(share(lambda, dlambda)), &mut left) {
                 break;
             }
         }
@@ -366,6 +354,12 @@ impl<P: SceneRef> OrderSolver<DoubleDouble> for Refined<'_, P> {
 /// Compiled with this crate, in one unit with all that it calls, whatever the crate of the scene.
 fn expand_by_elimination(scene: &dyn PreciseScene, c: &[DoubleDouble], store: &mut SeriesStore<DoubleDouble>) {
     expand(scene, c, ORDER, store);
+}
+
+/// Whether what is left of an iteration is rounding: nothing, or no less than half of what was left before.
+fn is_rounding(left: f64, before: &mut f64) -> bool {
+    let before = std::mem::replace(before, left);
+    left == 0.0 || left > 0.5 * before
 }
 
 fn largest(x: &[DoubleDouble]) -> f64 {

@@ -3,6 +3,7 @@
 use super::expansion::increment;
 use super::states::States;
 use crate::dynamics::{State, System};
+use crate::integrate::tolerances::taylor::NODE_PASSES;
 use crate::model::{SceneRef, SeriesStore};
 
 /// Gauss's formula with nodes in (0, 1).
@@ -16,9 +17,6 @@ pub(super) struct Quadrature {
     at: State,
     lambda: Vec<f64>,
 }
-
-/// Newton passes to the last digit: each doubles the digits of an estimate that has three.
-const PASSES: usize = 5;
 
 impl Quadrature {
     /// Exact for polynomials of degree `degree`.
@@ -66,7 +64,7 @@ fn multipliers(store: &SeriesStore<f64>, order: usize, s: f64, lambda: &mut [f64
 fn node(n: usize, i: usize) -> (f64, f64) {
     let mut x = (std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
     let mut slope = 1.0;
-    for _ in 0..PASSES {
+    for _ in 0..NODE_PASSES {
         let (value, previous) = legendre(n, x);
         slope = n as f64 * (x * value - previous) / (x * x - 1.0);
         x -= value / slope;

@@ -22,8 +22,9 @@ pub(in crate::simulate) struct StepperState<P: SceneRef> {
     pub singular_positions: SingularPositions,
     /// Whether works are integrated.
     pub work: bool,
-    pub now: Snapshot,
-    pub next: Snapshot,
+    // boxed, since they change places after each step
+    pub now: Box<Snapshot>,
+    pub next: Box<Snapshot>,
     /// Whether `next` was evaluated when the step was taken.
     is_next_evaluated: bool,
 }
@@ -42,7 +43,16 @@ impl<P: SceneRef> StepperState<P> {
         let projection = StateProjection::new(projection, metric);
         let crosses = projection.is_complete() && info.n_position_rows > 0;
         let singular_positions = SingularPositions::new(crosses, info.n_coordinates());
-        Ok(Self { system, method, projection, singular_positions, work, now, next, is_next_evaluated: false })
+        Ok(Self {
+            system,
+            method,
+            projection,
+            singular_positions,
+            work,
+            now: Box::new(now),
+            next: Box::new(next),
+            is_next_evaluated: false,
+        })
     }
 
     /// Moves to a state without history, which is not evaluated.
@@ -85,7 +95,7 @@ impl<P: SceneRef> StepperState<P> {
     /// that chooses its steps may stop before `t_next`, and every method stops at a discontinuity.
     pub(in crate::simulate) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.is_next_evaluated = false;
-        let Snapshot { state: State { t, q, .. }, solved, .. } = &self.now;
+        let Snapshot { state: State { t, q, .. }, solved, .. } = &*self.now;
         self.system.at(*t, q).hold_rows(solved.is_rank_deficient);
         let outcome = match self.advance_across_singularity(t_next) {
             Ok(true) => Ok(()),
@@ -95,7 +105,7 @@ impl<P: SceneRef> StepperState<P> {
         if outcome.is_ok() {
             self.singular_positions.see_step(self.next.state.t - self.now.state.t);
         }
-        let Snapshot { state: State { t, q, v, .. }, a, lambda, .. } = &self.now;
+        let Snapshot { state: State { t, q, v, .. }, a, lambda, .. } = &*self.now;
         outcome.map_err(|error| {
             let error = self.system.diagnosis().locked_up(*t, q, error);
             self.system.diagnosis().without_derivative((*t, q, v), (a, lambda), error)
@@ -159,14 +169,8 @@ impl<P: SceneRef> StepperState<P> {
             self.singular_positions.n_shortened += 1;
         }
         outcome?;
-        let Self {
-            system,
-            singular_positions,
-            now: Snapshot { state: now, .. },
-            next: Snapshot { state: next, .. },
-            ..
-        } = self;
-        if singular_positions.creeps(system, now, next, t_next) {
+        let (now, next) = (&self.now.state, &self.next.state);
+        if self.singular_positions.creeps(&mut self.system, now, next, t_next) {
             return Err(MotionError::StepCollapsed { t: now.t, step_s: next.t - now.t });
         }
         Ok(())
@@ -198,7 +202,8 @@ impl<P: SceneRef> StepperState<P> {
 
     #[inline]
     fn project_next(&mut self) -> Result<(), MotionError> {
-        let Self { system, projection, next: Snapshot { state, .. }, .. } = self;
+        let Self { system, projection, next, .. } = self;
+        let state = &mut next.state;
         system.place_states(&state.z);
         // some methods find their own accelerations, and inputs may change before the next step
         let is_final = !self.method.expands() && system.inputs().is_empty();
@@ -228,7 +233,7 @@ impl<P: SceneRef> StepperState<P> {
     /// The largest acceleration at `now`, which is evaluated, and its cause.
     pub(in crate::simulate) fn strain(&mut self) -> Option<Strain> {
         self.place_now();
-        let Snapshot { state, a, lambda, .. } = &self.now;
+        let Snapshot { state, a, lambda, .. } = &*self.now;
         self.system.diagnosis().strain(state.t, &state.q, &state.v, a, lambda)
     }
 
@@ -316,7 +321,7 @@ impl<P: SceneRef> StepperState<P> {
 
     /// Whether the motion can begin at `now`, which is evaluated, and last for `within_s`.
     pub(in crate::simulate) fn check_beginning(&mut self, within_s: f64) -> Result<(), MotionError> {
-        let Snapshot { state, a, solved, .. } = &self.now;
+        let Snapshot { state, a, solved, .. } = &*self.now;
         self.system.diagnosis().check_beginning(state, a, *solved, within_s)
     }
 

@@ -45,22 +45,10 @@ impl Linearization {
         let mut gradients = Gradients::new(system)?;
         let SteadyMotion { state: State { t, q, v, z, .. }, accelerations, multipliers, .. } = motion;
         system.place_states(z);
-        let [n_q, n_h, n_c, n_z] = [info.n_coordinates(), info.n_position_rows, info.n_rows(), info.n_states()];
         let at = OperatingPoint { fixed: system.fixed(), t: *t, q, v, accelerations, multipliers };
-        let mut derivatives = |of, by| derivatives(&mut gradients, &at, of, by);
-        let states = [By::Positions, By::Velocities, By::States];
-        let n = 2 * n_q + n_z;
-        let joined = |parts: [DMatrix<f64>; 3]| {
-            let mut joined = DMatrix::zeros(parts[0].nrows(), n);
-            joined.columns_mut(0, n_q).copy_from(&parts[0]);
-            joined.columns_mut(n_q, n_q).copy_from(&parts[1]);
-            joined.columns_mut(2 * n_q, n_z).copy_from(&parts[2]);
-            joined
-        };
-        let mut rows = DMatrix::zeros(n_h + n_c, n);
-        rows.view_mut((0, 0), (n_h, n_q)).copy_from(&derivatives(Of::PositionRows, By::Positions));
-        rows.rows_mut(n_h, n_c).copy_from(&joined(states.map(|by| derivatives(Of::VelocityRows, by))));
-        let slopes = joined(states.map(|by| derivatives(Of::Motion, by)));
+        let n = q.len() + v.len() + z.len();
+        let rows = rows_by_states(&mut gradients, &at);
+        let slopes = by_states(&mut gradients, &at, Of::Motion);
         let is_part = |input: &usize| {
             info.integrated_inputs.iter().any(|&first| {
                 let [value, _, since] = SceneInfo::integrated_places(first);
@@ -68,24 +56,23 @@ impl Linearization {
             })
         };
         let inputs: Vec<usize> = (0..info.n_inputs()).filter(|input| !is_part(input)).collect();
-        let by_inputs = derivatives(Of::Motion, By::Inputs).select_columns(&inputs);
-        let outputs = joined(states.map(|by| derivatives(Of::Outputs, by)));
-        let d = derivatives(Of::Outputs, By::Inputs).select_columns(&inputs);
+        let by_inputs = derivatives(&mut gradients, &at, Of::Motion, By::Inputs).select_columns(&inputs);
+        let outputs = by_states(&mut gradients, &at, Of::Outputs);
+        let d = derivatives(&mut gradients, &at, Of::Outputs, By::Inputs).select_columns(&inputs);
         let inputs = inputs.into_iter().map(|input| info.inputs[input].name).collect();
 
         let basis = null_space(rows);
         let along = along(motion, n);
-        let changes = rates(system, motion, &along, &(&slopes * &along))?;
-        let rates = rates(system, motion, &basis, &(&slopes * &basis))?;
+        let changes = rates(system, &motion.state, motion.frame, &along, &(&slopes * &along))?;
+        let rates = rates(system, &motion.state, motion.frame, &basis, &(&slopes * &basis))?;
         let a = basis.tr_mul(&rates);
         let left = (&rates - &basis * &a).amax().max(changes.amax() / along.amax().max(f64::MIN_POSITIVE));
         let change = left / rates.amax().max(f64::MIN_POSITIVE);
         if change > STEADY {
             return Err(AnalysisError::NotSteady { scene: info.name, change });
         }
-        let still = SteadyMotion { frame: Frame::default(), ..motion.clone() };
         let zeros = DMatrix::zeros(n, by_inputs.ncols());
-        let b = basis.tr_mul(&self::rates(system, &still, &zeros, &by_inputs)?);
+        let b = basis.tr_mul(&self::rates(system, &motion.state, Frame::default(), &zeros, &by_inputs)?);
         Ok(Self { info, inputs, a, b, c: outputs * &basis, d, basis })
     }
 
@@ -128,6 +115,28 @@ impl Linearization {
     }
 }
 
+/// Derivatives by coordinates, velocities and first-order states, side by side.
+pub(super) fn by_states<P: SceneRef>(gradients: &mut Gradients<P>, at: &OperatingPoint<'_>, of: Of) -> DMatrix<f64> {
+    let parts = [By::Positions, By::Velocities, By::States].map(|by| derivatives(gradients, at, of, by));
+    let mut joined = DMatrix::zeros(parts[0].nrows(), parts.iter().map(DMatrix::ncols).sum());
+    let mut first = 0;
+    for part in &parts {
+        joined.columns_mut(first, part.ncols()).copy_from(part);
+        first += part.ncols();
+    }
+    joined
+}
+
+/// What deviations must satisfy: C_q δq = 0, and the change of all rows of velocities.
+pub(super) fn rows_by_states<P: SceneRef>(gradients: &mut Gradients<P>, at: &OperatingPoint<'_>) -> DMatrix<f64> {
+    let positions = derivatives(gradients, at, Of::PositionRows, By::Positions);
+    let velocities = by_states(gradients, at, Of::VelocityRows);
+    let mut rows = DMatrix::zeros(positions.nrows() + velocities.nrows(), velocities.ncols());
+    rows.view_mut((0, 0), positions.shape()).copy_from(&positions);
+    rows.rows_mut(positions.nrows(), velocities.nrows()).copy_from(&velocities);
+    rows
+}
+
 /// The deviation that a while of the frame's motion is: what is steady does not change with it.
 fn along(motion: &SteadyMotion, n: usize) -> DMatrix<f64> {
     let SteadyMotion { state: State { q, v, .. }, frame, .. } = motion;
@@ -139,13 +148,14 @@ fn along(motion: &SteadyMotion, n: usize) -> DMatrix<f64> {
 }
 
 /// Rates of the deviations `basis`, one a column, where R changes by `slopes` with them.
-fn rates<P: SceneRef>(
+pub(super) fn rates<P: SceneRef>(
     system: &mut System<P>,
-    motion: &SteadyMotion,
+    state: &State,
+    frame: Frame,
     basis: &DMatrix<f64>,
     slopes: &DMatrix<f64>,
 ) -> Result<DMatrix<f64>, AnalysisError> {
-    let SteadyMotion { state: State { t, q, .. }, frame, .. } = motion;
+    let State { t, q, .. } = state;
     let (n_q, n_c) = (system.info().n_velocities(), system.info().n_rows());
     let mut rates = DMatrix::zeros(basis.nrows(), basis.ncols());
     let (mut turned, mut a, mut lambda) = (vec![0.0; n_q], vec![0.0; n_q], vec![0.0; n_c]);
@@ -167,7 +177,7 @@ fn rates<P: SceneRef>(
 }
 
 /// An orthonormal basis of what all rows leave.
-fn null_space(mut rows: DMatrix<f64>) -> DMatrix<f64> {
+pub(super) fn null_space(mut rows: DMatrix<f64>) -> DMatrix<f64> {
     let n = rows.ncols();
     for mut row in rows.row_iter_mut() {
         let norm = row.norm();

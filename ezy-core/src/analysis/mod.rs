@@ -6,6 +6,7 @@
 //! | [`Rests`] | all rests that starts over full turns lead to |
 //! | [`Linearization`] | x' = A x + B u, y = C x + D u about it, on the manifold of the constraints |
 //! | [`Spectrum`] | eigenvalues, with those that are zero told apart |
+//! | [`Monodromy`] | what a period of a motion makes of small deviations: Floquet multipliers |
 //! | [`InverseDynamics`] | inputs in place of drives: the torques that a prescribed motion takes |
 //! | [`Mode`] | an eigenvalue with its eigenvector: damping, frequency, what moves |
 //! | [`Locus`] | eigenvalues over a value that varies, and the critical values at which stability changes |
@@ -18,6 +19,7 @@ mod inverse_dynamics;
 mod linearization;
 mod locus;
 mod mode;
+mod monodromy;
 mod rests;
 mod root;
 mod spectrum;
@@ -32,6 +34,7 @@ pub use inverse_dynamics::{InverseDynamics, Required};
 pub use linearization::Linearization;
 pub use locus::{CriticalValue, Instability, Locus};
 pub use mode::Mode;
+pub use monodromy::Monodromy;
 pub use rests::{Rest, Rests};
 pub use spectrum::Spectrum;
 pub use steady_motion::{Course, SteadyMotion};

@@ -1,7 +1,7 @@
 //! Against closed forms.
 
-use super::{AnalysisError, Course, Instability, Linearization, Locus, Rests, Spectrum, SteadyMotion};
-use crate::dynamics::System;
+use super::{AnalysisError, Course, Instability, Linearization, Locus, Monodromy, Rests, Spectrum, SteadyMotion};
+use crate::dynamics::{State, System};
 use crate::linalg::Backend;
 use nalgebra::DMatrix;
 
@@ -324,4 +324,57 @@ fn analytic_locus_finds_critical_values() {
         }
     }
     assert_eq!(Locus::of(&[1.0], |_| Err("no motion")).unwrap_err(), "no motion");
+}
+
+crate::model! {
+    /// A rod on a spring whose stiffness swings, with friction in its pin: Mathieu's equation.
+    pub model Swung {
+        param k: N*m = 1.3; param d: N*m = 0.7; param w: rad/s = 2.1; param c: N*m*s = 0.2;
+        body rod { mass: 1, inertia: 0.75 }
+        hinge pin: ground(0, 0) ~ rod(-0.5, 0);
+        torque rod: -(k + d*cos(w*t))*rod.phi - c*rod.omega;
+        start level { rod angle 0; at rest; }
+        scene swings { start level; until 1 s; }
+    }
+}
+
+/// Over a period the determinant is exp(−c T/J), by Liouville, and the trace is that of Mathieu's equation by many steps of RK4.
+#[test]
+fn analytic_multipliers_of_a_swung_spring() {
+    let scene = swung::Swings::default();
+    let swung::Swings { k, d, w, c, .. } = scene;
+    let period = std::f64::consts::TAU / w;
+    // J = 0.75 + 1 · 0.5² = 1
+    let rate = |t: f64, [x, v]: [f64; 2]| [v, -(k + d * (w * t).cos()) * x - c * v];
+    let n = 4000;
+    let h = period / f64::from(n);
+    let along = |mut y: [f64; 2]| {
+        for i in 0..n {
+            let t = h * f64::from(i);
+            let shifted = |k: [f64; 2], by: f64| [y[0] + by * k[0], y[1] + by * k[1]];
+            let k1 = rate(t, y);
+            let k2 = rate(t + 0.5 * h, shifted(k1, 0.5 * h));
+            let k3 = rate(t + 0.5 * h, shifted(k2, 0.5 * h));
+            let k4 = rate(t + h, shifted(k3, h));
+            y = [0, 1].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+        }
+        y
+    };
+    let trace = along([1.0, 0.0])[0] + along([0.0, 1.0])[1];
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let still = system.consistent_start(&system.scene_start()).unwrap();
+    let mut errors = Vec::new();
+    for n_steps in [20, 40, 80] {
+        let times = Monodromy::times(0.0, period, n_steps);
+        let states: Vec<State> = times.into_iter().map(|t| State { t, ..still.clone() }).collect();
+        let monodromy = Monodromy::of(&mut system, &states).unwrap();
+        assert_eq!((monodromy.gap, monodromy.moved), (0.0, [0.0; 3]));
+        let [a, b] = monodromy.multipliers().unwrap()[..] else { panic!("two states are free") };
+        let (sum, product) = (a + b, a * b);
+        errors.push([(product.re - (-c * period).exp()).abs(), (sum.re - trace).abs()]);
+    }
+    // 2⁶ = 64 from step to step, down to the error of RK4, h⁴ of some 1e-11
+    for i in 0..2 {
+        assert!(errors[1][i] <= errors[0][i] / 50.0 && errors[2][i] <= 1e-10, "{errors:?}");
+    }
 }

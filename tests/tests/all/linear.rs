@@ -1,6 +1,6 @@
 //! Steady motions, eigenvalues and responses, against closed forms.
 
-use ezy_core::analysis::{AnalysisError, Instability, Linearization, Locus, SteadyMotion};
+use ezy_core::analysis::{AnalysisError, Instability, Linearization, Locus, Monodromy, SteadyMotion};
 use ezy_core::dynamics::System;
 use ezy_core::linalg::Backend;
 use ezy_core::model;
@@ -319,4 +319,59 @@ fn analytic_car_diverges_from_its_critical_speed_on() {
     let [found] = locus.critical[..] else { panic!("{:?}", locus.critical) };
     assert!((found.value - exact).abs() <= CRITICAL * exact, "{found:?} for {exact}");
     assert_eq!((found.kind, found.n_unstable), (Instability::Divergence, [0, 1]));
+}
+
+/// Around a circle the flow between two headings is that of the turning frame: multipliers are exp(s T), and 1 for the zeros.
+#[test]
+fn cross_multipliers_on_a_circle_are_those_of_its_eigenvalues() {
+    let table = table(include_str!("../../answers/linear/ezyroller_circle.json"));
+    let of = &table["sets"][2];
+    let mut scene = roller::Runs::default();
+    set_parameters(&mut scene, &[&of["parameters"]]);
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut start = system.scene_start();
+    for (i, body) in ["seat", "bar"].into_iter().enumerate() {
+        for part in 0..3 {
+            start.give_position(3 * i + part, number(&of["steady"]["bodies"][body][part]));
+            start.give_velocity(3 * i + part, number(&of["steady"]["bodies"][body][3 + part]));
+        }
+    }
+    start.give_way();
+    let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap();
+    let spectrum = Linearization::of(&mut system, &motion).unwrap().spectrum().unwrap();
+    let frame = motion.frame;
+    // a quarter of the circle
+    let period = 0.25 * std::f64::consts::TAU / frame.omega.abs();
+    let centre = [-frame.vy / frame.omega, frame.vx / frame.omega];
+    let at = |t: f64| {
+        let (sin, cos) = (frame.omega * t).sin_cos();
+        let mut state = motion.state.clone();
+        state.t = t;
+        for i in (0..state.q.len()).step_by(3) {
+            let [x, y] = [motion.state.q[i] - centre[0], motion.state.q[i + 1] - centre[1]];
+            state.q[i] = centre[0] + cos * x - sin * y;
+            state.q[i + 1] = centre[1] + sin * x + cos * y;
+            state.q[i + 2] += frame.omega * t;
+            let [vx, vy] = [motion.state.v[i], motion.state.v[i + 1]];
+            (state.v[i], state.v[i + 1]) = (cos * vx - sin * vy, sin * vx + cos * vy);
+        }
+        state
+    };
+    let states: Vec<_> = Monodromy::times(0.0, period, 200).into_iter().map(at).collect();
+    let monodromy = Monodromy::of(&mut system, &states).unwrap();
+    assert!(monodromy.gap <= STEADY, "{}", monodromy.gap);
+    let mut expected: Vec<Complex<f64>> = spectrum.eigenvalues.iter().map(|s| (s * period).exp()).collect();
+    expected.extend(std::iter::repeat_n(Complex::new(1.0, 0.0), spectrum.n_zero));
+    let found = monodromy.multipliers().unwrap();
+    assert_eq!(found.len(), expected.len());
+    let largest = expected.iter().fold(0.0, |m: f64, s| m.max(s.norm()));
+    for found in found {
+        let nearest = (0..expected.len())
+            .min_by(|&i, &j| (expected[i] - found).norm().total_cmp(&(expected[j] - found).norm()))
+            .expect("one is left");
+        let exact = expected.swap_remove(nearest);
+        // ones in a block of two split by the root of rounding
+        let tolerance = if (exact - 1.0).norm() == 0.0 { 1e-6 } else { RESPONSE };
+        assert!((found - exact).norm() <= tolerance * largest, "{found} for {exact}");
+    }
 }

@@ -39,7 +39,7 @@ pub struct Monodromy {
     /// Deviations of `n_q` coordinates, `n_v` velocities and `n_z` states by these; its columns are orthonormal.
     pub basis: DMatrix<f64>,
     /// How far the first body has gone along x and y, m, and turned, rad.
-    pub moved: [f64; 3],
+    pub moved: [f64; N_OF_BODY],
     /// What the end differs by from the start that is moved so: the largest of m, rad, m/s, rad/s and units of states. Angles that nothing
     /// depends on, as those of wheels, do not count.
     pub gap: f64,
@@ -155,7 +155,7 @@ fn turn_back(x: &mut DMatrix<f64>, n_q: usize, angle: f64) {
 }
 
 /// Largest difference of a state from another one that is moved with its first body.
-fn gap(first: &State, last: &State, moved: [f64; 3], feedback: Option<&[usize]>) -> f64 {
+fn gap(first: &State, last: &State, moved: [f64; N_OF_BODY], feedback: Option<&[usize]>) -> f64 {
     let (sin, cos) = moved[2].sin_cos();
     let turned = |x: &[f64]| [cos * x[0] - sin * x[1], sin * x[0] + cos * x[1]];
     let counts = |i: usize| i % N_OF_BODY < 2 || feedback.is_none_or(|feedback| feedback.binary_search(&i).is_ok());

@@ -105,6 +105,16 @@ pub enum AnalysisError {
         /// Its multiplier.
         left: f64,
     },
+    /// States that are not those of a period in whole steps.
+    #[error(
+        "{n_states} states of scene `{scene}` are no period in whole steps; take those at the times of `Monodromy::times`"
+    )]
+    NoPeriod {
+        /// Name of the scene.
+        scene: &'static str,
+        /// How many states were given.
+        n_states: usize,
+    },
     /// Eigenvalues were not found.
     #[error("the eigenvalues of scene `{scene}` were not found: an entry of its matrix is not finite")]
     NoEigenvalues {

@@ -57,12 +57,13 @@ impl Monodromy {
     /// Along a motion, by its states at [`Monodromy::times`]; inputs are those of the system.
     ///
     /// # Errors
-    /// Those of [`Gradients::new`] and of the accelerations; [`AnalysisError::Spatial`].
-    /// # Panics
-    /// Where the states are not as many as the times of whole steps.
+    /// [`AnalysisError::NoPeriod`] where the states are not as many as the times of whole steps; [`AnalysisError::Spatial`]; those of
+    /// [`Gradients::new`] and of the accelerations.
     pub fn of<P: SceneRef>(system: &mut System<P>, states: &[State]) -> Result<Self, AnalysisError> {
-        assert!(states.len() > N_STAGES && (states.len() - 2).is_multiple_of(N_STAGES), "states of whole steps");
         let info = Arc::clone(system.info());
+        if states.len() <= N_STAGES || !(states.len() - 2).is_multiple_of(N_STAGES) {
+            return Err(AnalysisError::NoPeriod { scene: info.name, n_states: states.len() });
+        }
         if !info.is_planar() {
             return Err(AnalysisError::Spatial { scene: info.name });
         }

@@ -363,6 +363,10 @@ fn analytic_multipliers_of_a_swung_spring() {
     let trace = along([1.0, 0.0])[0] + along([0.0, 1.0])[1];
     let mut system = System::new(&scene, Backend::Auto).unwrap();
     let still = system.consistent_start(&system.scene_start()).unwrap();
+    for n_states in [0, 1, 2, 4, 6] {
+        let error = Monodromy::of(&mut system, &vec![still.clone(); n_states]).unwrap_err();
+        assert!(matches!(error, AnalysisError::NoPeriod { n_states: n, .. } if n == n_states), "{error}");
+    }
     let mut errors = Vec::new();
     for n_steps in [20, 40, 80] {
         let times = Monodromy::times(0.0, period, n_steps);

@@ -73,6 +73,17 @@ pub enum AnalysisError {
         /// The names that there are.
         known: String,
     },
+    /// A value whose change no steady motion next to the first one follows.
+    #[error(
+        "scene `{scene}` has no steady motion with another value of `{name}` next to the first one: something else fixes it, or the branch \
+         folds there; begin at another value, or hold something else"
+    )]
+    CannotVary {
+        /// Name of the scene.
+        scene: &'static str,
+        /// What should vary.
+        name: String,
+    },
     /// Inputs that are to take the place of drives are not as many as these.
     #[error("{n_inputs} inputs cannot take the place of {n_rows} rows; name one input for each row")]
     Unequal {
@@ -83,7 +94,8 @@ pub enum AnalysisError {
     },
     /// Inputs that do not determine the forces of drives.
     #[error(
-        "at t = {t} s the inputs of scene `{scene}` do not determine the forces of the drives: two of them act alike, or one          does not act on what is driven, as in a singular position"
+        "at t = {t} s the inputs of scene `{scene}` do not determine the forces of the drives: two of them act alike, or one \
+         does not act on what is driven, as in a singular position"
     )]
     Alike {
         /// Name of the scene.
@@ -93,7 +105,8 @@ pub enum AnalysisError {
     },
     /// No values of the inputs do what a drive does.
     #[error(
-        "at t = {t} s no values of the inputs of scene `{scene}` do what `{drive}` does: {left:.3e} of its force are left;          begin with values that are nearer"
+        "at t = {t} s no values of the inputs of scene `{scene}` do what `{drive}` does: {left:.3e} of its force are left; \
+         begin with values that are nearer"
     )]
     Unbalanced {
         /// Name of the scene.
@@ -104,6 +117,23 @@ pub enum AnalysisError {
         drive: Name,
         /// Its multiplier.
         left: f64,
+    },
+    /// What drives leave free moves differently with inputs in their place.
+    #[error(
+        "at t = {t} s the rate of `{name}` of scene `{scene}` changes by {with_inputs:.6e} a second with the inputs and by {with_drives:.6e} with \
+         the drives: what the drives leave free moves differently; name inputs that act where the drives do, or prescribe the rest, too"
+    )]
+    OtherMotion {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Time, s.
+        t: f64,
+        /// The velocity that differs most.
+        name: Name,
+        /// Its rate with the inputs.
+        with_inputs: f64,
+        /// Its rate with the drives.
+        with_drives: f64,
     },
     /// States that are not those of a period in whole steps.
     #[error(

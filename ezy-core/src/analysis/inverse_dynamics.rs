@@ -2,9 +2,9 @@
 
 use super::derivatives;
 use super::error::AnalysisError;
-use super::tolerances::inverse::{BALANCED, INDEPENDENT, MAX_STEPS};
+use super::tolerances::inverse::{BALANCED, INDEPENDENT, KEPT, MAX_STEPS};
 use crate::dynamics::{By, Gradients, Of, OperatingPoint, Rows, State, System};
-use crate::model::{Name, SceneRef};
+use crate::model::{Equations as _, Name, SceneRef};
 use nalgebra::{DMatrix, DVector};
 
 /// Which inputs do what drives do otherwise: with them the drives have nothing left to push.
@@ -133,6 +133,38 @@ impl<P: SceneRef> InverseDynamics<P> {
         let worst = self.rows.iter().max_by(|&&i, &&j| multipliers[i].abs().total_cmp(&multipliers[j].abs()));
         let drive = worst.map(|&row| system.info().rows[row].name.clone()).unwrap_or_default();
         Err(AnalysisError::Unbalanced { scene, t: *t, drive, left })
+    }
+
+    /// As [`InverseDynamics::at`], at a state of a motion that the drives lead, with its accelerations (`n_v`). Where drives leave something
+    /// free, inputs that act at other places than the drives would move it differently: then the motion is not theirs.
+    ///
+    /// # Errors
+    /// Those of [`InverseDynamics::at`], and [`AnalysisError::OtherMotion`].
+    pub fn along(
+        &mut self,
+        system: &mut System<P>,
+        state: &State,
+        accelerations: &[f64],
+    ) -> Result<Required, AnalysisError> {
+        let required = self.at(system, state)?;
+        let State { t, q, v, .. } = state;
+        let mut forces = vec![0.0; accelerations.len()];
+        system.scene().applied_force(system.fixed(), *t, q, v, &mut forces);
+        // an acceleration is the difference of what forces and reactions do to a mass
+        let of_forces = forces.iter().zip(system.mass_matrix()).filter(|(_, mass)| **mass > 0.0).map(|(f, m)| f / m);
+        let largest = of_forces.chain(accelerations.iter().copied()).fold(0.0, |most: f64, a| most.max(a.abs()));
+        let differences =
+            required.accelerations.iter().zip(accelerations).map(|(with, without)| (with - without).abs());
+        let worst = differences.enumerate().max_by(|(_, x), (_, y)| x.total_cmp(y));
+        match worst {
+            Some((i, difference)) if difference > KEPT * largest => {
+                let info = system.info();
+                let [with_inputs, with_drives] = [required.accelerations[i], accelerations[i]];
+                let name = info.velocities[i].name.clone();
+                Err(AnalysisError::OtherMotion { scene: info.name, t: *t, name, with_inputs, with_drives })
+            }
+            _ => Ok(required),
+        }
     }
 
     /// How the forces of the drives depend on the inputs, from K [δa; δλ] = R_u δu.

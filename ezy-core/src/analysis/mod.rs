@@ -4,40 +4,54 @@
 //! |---|---|
 //! | [`SteadyMotion`] | rest, or motion that is constant seen from a frame that travels and turns evenly; found from a start |
 //! | [`Rests`] | all rests that starts over full turns lead to |
+//! | [`BifurcationDiagram`] | steady motions over a value that varies: folds, branch points, changes of stability |
 //! | [`Linearization`] | x' = A x + B u, y = C x + D u about it, on the manifold of the constraints |
 //! | [`Spectrum`] | eigenvalues, with those that are zero told apart |
 //! | [`Monodromy`] | what a period of a motion makes of small deviations: Floquet multipliers |
 //! | [`InverseDynamics`] | inputs in place of drives: the torques that a prescribed motion takes |
 //! | [`Mode`] | an eigenvalue with its eigenvector: damping, frequency, what moves |
+//! | [`Transfer`] | the response of one output to one input: poles, zeros, margins, Bode plots |
 //! | [`Locus`] | eigenvalues over a value that varies, and the critical values at which stability changes |
 //!
 //! Derivatives are exact ([`Gradients`]). Knows nothing of steps and of files.
 
+mod bifurcation;
+mod bode;
+mod curve;
+mod curve_meetings;
 mod error;
 mod frame;
 mod inverse_dynamics;
 mod linearization;
 mod locus;
+mod margins;
 mod mode;
 mod monodromy;
+mod realization;
 mod rests;
 mod root;
 mod spectrum;
+mod steady_equations;
 mod steady_motion;
 #[cfg(test)]
 mod tests;
 mod tolerances;
+mod transfer;
 
+pub use bifurcation::{Bifurcation, BifurcationDiagram, Branch, BranchEnd, BranchPoint};
+pub use bode::BodePoint;
 pub use error::AnalysisError;
 pub use frame::Frame;
 pub use inverse_dynamics::{InverseDynamics, Required};
 pub use linearization::Linearization;
 pub use locus::{CriticalValue, Instability, Locus};
+pub use margins::AtFrequency;
 pub use mode::Mode;
 pub use monodromy::Monodromy;
 pub use rests::{Rest, Rests};
 pub use spectrum::Spectrum;
 pub use steady_motion::{Course, SteadyMotion};
+pub use transfer::Transfer;
 
 use crate::dynamics::{By, Gradients, Of, OperatingPoint};
 use crate::model::SceneRef;

@@ -1,5 +1,7 @@
 //! Against closed forms.
 
+mod transfer;
+
 use super::{AnalysisError, Course, Instability, Linearization, Locus, Monodromy, Rests, Spectrum, SteadyMotion};
 use crate::dynamics::{State, System};
 use crate::linalg::Backend;

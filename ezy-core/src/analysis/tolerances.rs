@@ -62,6 +62,81 @@ pub(crate) mod rests {
     pub(crate) const SAME: f64 = 1e-5;
 }
 
+/// Curves of steady motions over a value.
+pub(crate) mod continuation {
+    /// The longest step changes an angle by so many radians, and lengths and velocities by this share of the largest: what a figure shows as
+    /// one line.
+    /// Unit: 1.
+    /// Test: `analytic_sprung_rod_buckles_at_a_branch_point`.
+    pub(crate) const STRIDE: f64 = 0.05;
+
+    /// Cosine of the largest angle by which a step may turn what is seen of the curve: a chord of it leaves the curve by a twentieth.
+    /// Unit: 1.
+    /// Test: `analytic_sprung_rod_buckles_at_a_branch_point`.
+    pub(crate) const TURN: f64 = 0.95;
+
+    /// Newton steps of a correction at most: from a step that is short enough four suffice.
+    /// Unit: steps.
+    /// Test: `analytic_folds_of_a_slider_crank_over_its_torque`.
+    pub(crate) const CORRECTIONS: usize = 8;
+
+    /// A correction of this share of the longest step is the last one: what is left after it is its square.
+    /// Unit: 1.
+    /// Test: `analytic_folds_of_a_slider_crank_over_its_torque`.
+    pub(crate) const LAST_CORRECTION: f64 = 1e-7;
+
+    /// Where a step of this share of the longest one leads nowhere, the curve ends.
+    /// Unit: 1.
+    /// Test: `analytic_curve_ends_where_the_mechanism_does`.
+    pub(crate) const SHORTEST: f64 = 1e-6;
+
+    /// Width in which a fold or a meeting is found along the curve, as a share of the step. The value at a fold is right to its square.
+    /// Unit: 1.
+    /// Test: `analytic_folds_of_a_slider_crank_over_its_torque`.
+    pub(crate) const FOLD: f64 = 1e-13;
+
+    /// Width in which a meeting is bracketed, as a share of the step, before it is interpolated.
+    /// Unit: 1.
+    /// Test: `analytic_sprung_rod_buckles_at_a_branch_point`.
+    pub(crate) const COARSE: f64 = 1e-2;
+
+    /// Distance of the points from which a meeting is interpolated, as a share of the step: the sixth power of it, times that of a step, is below rounding,
+    /// and rounding, amplified by one over it, below what is promised.
+    /// Unit: 1.
+    /// Test: `analytic_sprung_rod_buckles_at_a_branch_point`.
+    pub(crate) const BESIDE: f64 = 0.2;
+
+    /// First step on the other curve of a meeting, as a share of the longest one: the curve itself is as far across only at the root of that.
+    /// Unit: 1.
+    /// Test: `analytic_sprung_rod_buckles_at_a_branch_point`.
+    pub(crate) const ASIDE: f64 = 0.02;
+
+    /// How far away the first point of the other curve may be, in its first steps: more is on the curve that is left.
+    /// Unit: 1.
+    /// Test: `analytic_sprung_rod_buckles_at_a_branch_point`.
+    pub(crate) const ACROSS: f64 = 5.0;
+
+    /// Where a stride of an unknown that is kept would move another one by more strides, others are kept.
+    /// Unit: 1.
+    /// Test: `analytic_oversteering_car_turns_to_both_sides`.
+    pub(crate) const FAR: f64 = 10.0;
+
+    /// Places are one that differ by less, as a share of the longest step.
+    /// Unit: 1.
+    /// Test: `analytic_folds_of_a_slider_crank_over_its_torque`.
+    pub(crate) const SAME: f64 = 1e-3;
+
+    /// Points of a branch to one side at most.
+    /// Unit: points.
+    /// Test: `invariant_endless_branch_says_that_it_goes_on`.
+    pub(crate) const MAX_POINTS: usize = 4_000;
+
+    /// Branches at most.
+    /// Unit: branches.
+    /// Test: `invariant_endless_branch_says_that_it_goes_on`.
+    pub(crate) const MAX_BRANCHES: usize = 32;
+}
+
 /// Linear equations about a steady motion.
 pub(crate) mod linear {
     /// Singular values of rows that are scaled to one, as a share of the largest: below it a row repeats others.
@@ -110,6 +185,12 @@ pub(crate) mod inverse {
     /// Unit: 1.
     /// Test: `analytic_inputs_that_act_alike_are_refused`.
     pub(crate) const INDEPENDENT: f64 = 1e-12;
+
+    /// What accelerations with inputs and with drives may differ by, as a share of the largest: what [`BALANCED`] leaves, on a body that is ten
+    /// thousand times lighter than what it carries.
+    /// Unit: 1.
+    /// Test: `analytic_inputs_that_move_what_is_free_are_refused`.
+    pub(crate) const KEPT: f64 = 1e4 * BALANCED;
 }
 
 /// Eigenvectors.
@@ -142,4 +223,60 @@ pub(crate) mod locus {
     /// Unit: 1.
     /// Test: `analytic_trailer_sways_from_its_critical_speed_on`.
     pub(crate) const WIDTH: f64 = 1e-12;
+}
+
+/// Transfer functions.
+pub(crate) mod transfer {
+    /// What moves a state or shows in the output by less of the largest entry, after balancing, is rounding: entries are right to some 1e-15 of
+    /// it, and a thousand times that is for the forces that they come from.
+    /// Unit: 1.
+    /// Test: `analytic_modes_that_are_not_seen_are_counted`.
+    pub(crate) const NEGLIGIBLE: f64 = 1e-12;
+
+    /// Times that all states are balanced at most: three or four suffice.
+    /// Unit: sweeps.
+    /// Test: `cross_zeros_are_zeros_of_the_response`.
+    pub(crate) const MAX_SWEEPS: usize = 20;
+
+    /// Zeros whose real part is less, as a share of the imaginary one, may be on the imaginary axis: where curves touch, two of them split by the
+    /// root of rounding, some 1e-7. What is left there decides.
+    /// Unit: 1.
+    /// Test: `analytic_margins_of_a_third_order_loop`.
+    pub(crate) const ON_AXIS: f64 = 1e-6;
+
+    /// What may be left of ln |G|/γ and of the angle of G, where they are to vanish: far above rounding, far below what frequencies beside
+    /// the axis leave.
+    /// Unit: 1; rad.
+    /// Test: `analytic_margins_of_a_third_order_loop`.
+    pub(crate) const MET: f64 = 1e-9;
+
+    /// Newton steps for a frequency at most: from an eigenvalue that is right to 1e-7, two suffice.
+    /// Unit: steps.
+    /// Test: `analytic_margins_of_a_third_order_loop`.
+    pub(crate) const POLISH: usize = 5;
+
+    /// Levels of the search for the largest magnitude at most: it converges as its square, so that five or six suffice.
+    /// Unit: levels.
+    /// Test: `analytic_oscillator_has_its_resonance_and_bandwidth`.
+    pub(crate) const MAX_LEVELS: usize = 40;
+
+    /// The stationary point is between the frequencies where the magnitude is less than the largest by this share.
+    /// Unit: 1.
+    /// Test: `analytic_oscillator_has_its_resonance_and_bandwidth`.
+    pub(crate) const BRACKET: f64 = 1e-3;
+
+    /// Width of the interval in which the frequency of the largest magnitude is found, as a share of it.
+    /// Unit: 1.
+    /// Test: `analytic_oscillator_has_its_resonance_and_bandwidth`.
+    pub(crate) const WIDTH: f64 = 1e-14;
+
+    /// A phase that is less below half a turn than this is half a turn, and told as negative.
+    /// Unit: rad.
+    /// Test: `analytic_phase_is_followed_over_wide_steps`.
+    pub(crate) const FAR: f64 = 1e-9;
+
+    /// Half the width of a peak or notch without damping in the frequencies of a Bode plot, as a share of its frequency.
+    /// Unit: 1.
+    /// Test: `analytic_phase_is_followed_over_wide_steps`.
+    pub(crate) const NARROW: f64 = 1e-3;
 }

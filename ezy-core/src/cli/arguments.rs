@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
+use super::inverse_arguments::InverseArguments;
 use super::motion_arguments::MotionArguments;
 use super::steady_arguments::{EquilibriumArguments, LinearizeArguments};
 use super::sweep_arguments::SweepArguments;
@@ -19,6 +20,7 @@ pub(super) enum Command {
     Run(RunArguments),
     Plot(PlotArguments),
     Compare(CompareArguments),
+    Reactions(ReactionsArguments),
     Sweep(SweepArguments),
     Merge(MergeArguments),
     Linearize(LinearizeArguments),
@@ -28,6 +30,7 @@ pub(super) enum Command {
     Check(CheckArguments),
     Accuracy(AccuracyArguments),
     Equilibrium(EquilibriumArguments),
+    Inverse(InverseArguments),
     Completions(CompletionsArguments),
     Man(ManArguments),
 }
@@ -227,6 +230,37 @@ pub(super) struct CompareArguments {
     pub json: bool,
     #[command(flatten)]
     pub motion: MotionArguments,
+}
+
+/// Runs a scene and prints what its joints bear, and which power each effect has
+///
+/// For each joint: the largest reaction, its direction and time, mean and root mean square over time, in N or N*m. For each effect: the largest power that
+/// it delivers and that it takes, in W, and its work in J; last, works beside the change of kinetic energy. Signs are those of docs/notation.md.
+/// Impulses of stops are left out. The scene is run twice, the second time with samples near the largest values.
+///
+/// Exit status 1 when the run stopped before its end; what it has is printed.
+#[derive(Debug, Args)]
+pub(super) struct ReactionsArguments {
+    /// Its name; case and underscores do not matter
+    #[arg(value_name = "MODEL/SCENE")]
+    pub path: String,
+    #[command(flatten)]
+    pub motion: MotionArguments,
+    /// Seconds between samples, and between the rows of --out; what is shorter may be missed [default: a two-thousandth of the run]
+    #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
+    pub every: Option<f64>,
+    /// Write multipliers, norms and powers over time as CSV
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Draw the reaction of each joint with two rows as a curve, its y over its x: a hodograph; .svg, .png or .html
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Draw the powers over time; .svg, .png or .html
+    #[arg(long, value_name = "FILE")]
+    pub plot_power: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Joins the results of a sweep, and checks that each case is there once

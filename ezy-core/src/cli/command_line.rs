@@ -12,8 +12,8 @@ use super::failure::Failure;
 use super::interruption::Interruption;
 use super::leads::lead_on;
 use super::{
-    Models, accuracy, animate, check, compare, equilibrium, gallery, linearize, list, merge, plot, run, shell, show,
-    sketch, sweep,
+    Models, accuracy, animate, check, compare, equilibrium, gallery, inverse, linearize, list, merge, plot, reactions,
+    run, shell, show, sketch, sweep,
 };
 use crate::model::ModelInfo;
 
@@ -55,7 +55,7 @@ const VERSION: &str = concat!("with ezy-core ", env!("CARGO_PKG_VERSION"));
 const EXIT_STATUS: &str = "Exit status: 0 done; 1 stopped before the end, 130 by Ctrl-C, 143 by SIGTERM (what was computed is kept); 2 wrong use.";
 
 impl<'m> CommandLine<'m> {
-    /// The commands `list`, `show`, `run`, `plot`, `compare`, `sweep`, `merge`, `equilibrium`, `linearize`, `animate`, `sketch`,
+    /// The commands `list`, `show`, `run`, `plot`, `compare`, `reactions`, `sweep`, `merge`, `equilibrium`, `linearize`, `inverse`, `animate`, `sketch`,
     /// `gallery`, `check`, `accuracy`, `completions`, `man` and `help` for `models`.
     pub fn new(models: &'m [&'static ModelInfo]) -> Self {
         Self { models, about: ABOUT, version: VERSION, commands: Vec::new(), default: None }
@@ -122,6 +122,7 @@ impl<'m> CommandLine<'m> {
             Command::Run(arguments) => run::run(self.models, &arguments),
             Command::Plot(arguments) => plot::plot(self.models, &arguments),
             Command::Compare(arguments) => compare::compare(self.models, &arguments),
+            Command::Reactions(arguments) => reactions::reactions(self.models, &arguments),
             Command::Merge(arguments) => merge::merge(&arguments),
             Command::Sweep(arguments) => sweep::sweep(self.models, &arguments),
             Command::Linearize(arguments) => linearize::linearize(self.models, &arguments),
@@ -131,6 +132,7 @@ impl<'m> CommandLine<'m> {
             Command::Check(arguments) => check::check(self.models, &arguments),
             Command::Accuracy(arguments) => accuracy::accuracy(self.models, &arguments),
             Command::Equilibrium(arguments) => equilibrium::equilibrium(self.models, &arguments),
+            Command::Inverse(arguments) => inverse::inverse(self.models, &arguments),
             Command::Completions(arguments) => shell::completions(self.models, self.clap(program), &arguments),
             Command::Man(arguments) => shell::man(self.clap(program), &arguments),
         }
@@ -151,6 +153,7 @@ impl<'m> CommandLine<'m> {
                 "run" => command.after_help(examples.of_run()),
                 "plot" => command.after_help(examples.of_plot()),
                 "compare" => command.after_help(examples.of_compare()),
+                "reactions" => command.after_help(examples.of_reactions()),
                 "sweep" => command.after_help(examples.of_sweep()),
                 "linearize" => command.after_help(examples.of_linearize()),
                 "animate" => command.after_help(examples.of_animate()),
@@ -158,6 +161,7 @@ impl<'m> CommandLine<'m> {
                 "check" => command.after_help(examples.of_check()),
                 "accuracy" => command.after_help(examples.of_accuracy()),
                 "equilibrium" => command.after_help(examples.of_equilibrium()),
+                "inverse" => command.after_help(examples.of_inverse()),
                 _ => command,
             });
         commands.subcommands(self.commands.iter().map(|(command, _)| command.clone()))

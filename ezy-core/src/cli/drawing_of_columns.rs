@@ -115,7 +115,7 @@ fn typeset(unit: &str) -> String {
 }
 
 /// What columns of one unit are together.
-fn quantity(unit: &str) -> &'static str {
+pub(super) fn quantity(unit: &str) -> &'static str {
     match unit {
         "m" => "length",
         "rad" => "angle",

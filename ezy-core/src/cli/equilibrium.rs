@@ -18,6 +18,9 @@ pub(super) fn equilibrium(models: Models<'_>, arguments: &EquilibriumArguments) 
 
     let request = Request::new(models, &arguments.steady)?;
     let info = request.info();
+    if let Some(variation) = &arguments.vary {
+        return super::bifurcation_diagram::print_diagram(&request, arguments, variation);
+    }
     if arguments.all {
         let (rests, spectra) = request.rests()?;
         return if arguments.json {

@@ -21,6 +21,8 @@ pub(super) struct Examples {
     velocity: String,
     /// The first scene with an input, and the input.
     input: Option<(String, &'static str)>,
+    /// The first scene with a drive.
+    driven: Option<String>,
 }
 
 impl Examples {
@@ -35,6 +37,8 @@ impl Examples {
             angle.map(|(angle, rate)| (angle.name.to_string(), rate.name.to_string()))
         });
         let (column, velocity) = coordinate.unwrap_or_else(|| ("BODY.phi".to_owned(), "BODY.omega".to_owned()));
+        let has_drive = |entry: &SceneEntry| info(entry).rows.iter().any(|row| row.kind == "drive");
+        let driven = entries.clone().find(|(_, entry)| has_drive(entry)).map(|(model, entry)| path(model, entry));
         let input = entries.filter_map(|(model, entry)| Some((path(model, entry), info(entry).inputs.first()?.name)));
         Self {
             program: program.to_owned(),
@@ -43,6 +47,7 @@ impl Examples {
             file: first.map_or("motion.csv".to_owned(), |(_, entry)| format!("{}.csv", entry.name)),
             info: first.map(|(_, entry)| info(entry)),
             input: { input }.next(),
+            driven,
             column,
             velocity,
         }
@@ -131,6 +136,8 @@ impl Examples {
         let (name, value) = first.map_or(("NAME", 1.0), |parameter| (parameter.name, parameter.default));
         let [low, high, step] = [0.5 * value, 1.5 * value, 0.1 * value].map(|x| rounded(x, 3));
         let velocity = info.and_then(|info| info.velocities.first()).map_or("BODY.vx", |velocity| &*velocity.name);
+        let input = info.and_then(|info| info.inputs.first()).map_or("INPUT", |input| input.name);
+        let output = info.and_then(|info| info.outputs.first()).map_or("OUTPUT", |output| &*output.name);
         let near = format!("linearize {} --start {}=0", self.scene, self.last_angle());
         self.lines(&[
             (near.clone(), "the steady motion near this start, and its eigenvalues"),
@@ -139,6 +146,10 @@ impl Examples {
             (
                 format!("{near} --vary {name}={low}:{high}:{step} --out locus.csv --plot locus.svg"),
                 "where stability changes with a parameter, as a table and a figure, too",
+            ),
+            (
+                format!("{near} --response {input}:{output} --plot bode.svg"),
+                "poles, zeros and margins from an input to an output, and a Bode plot",
             ),
             (format!("{near} --json"), "A, B, C, D and modes, for another program"),
         ])
@@ -150,6 +161,15 @@ impl Examples {
             ("compare first.csv second.csv".to_owned(), "two files of run --out"),
             (format!("compare {scene} --vary method=rk4,dop853"), "two methods"),
             (format!("compare {scene} --vary step=1e-2,1e-3 {column} --out steps.svg"), "two steps, as a figure"),
+        ])
+    }
+
+    pub(super) fn of_reactions(&self) -> String {
+        let Self { scene, .. } = self;
+        self.lines(&[
+            (format!("reactions {scene}"), "what joints bear, and which power effects have"),
+            (format!("reactions {scene} --plot hinges.svg --plot-power power.svg"), "as figures, too"),
+            (format!("reactions {scene} --out reactions.csv --every 0.01"), "over time, as CSV"),
         ])
     }
 
@@ -191,11 +211,25 @@ impl Examples {
         let near = format!("equilibrium {} --start {}=0", self.scene, self.last_angle());
         let first = self.info.as_ref().and_then(|info| info.coordinates.first());
         let first = first.map_or("BODY.x", |coordinate| &*coordinate.name);
+        let parameter = self.info.as_ref().and_then(|info| info.parameters.first());
+        let parameter = parameter.map_or("PARAMETER", |parameter| parameter.name);
         self.lines(&[
             (near.clone(), "the steady motion near this start, with its reactions"),
             (format!("{near} --hold {first}"), "with a coordinate that keeps its value"),
             (format!("equilibrium {} --all", self.scene), "every rest that many starts lead to"),
+            (format!("{near} --vary {parameter}=START:END:STEP --plot diagram.svg"), "all steady motions over a value"),
             (format!("{near} --json"), "for another program"),
+        ])
+    }
+
+    pub(super) fn of_inverse(&self) -> String {
+        let scene = self.driven.as_deref().unwrap_or("MODEL/SCENE");
+        self.lines(&[
+            (format!("inverse {scene}"), "the torques and forces of its drives"),
+            (format!("inverse {scene} --out torque.csv --plot torque.svg"), "as a table and a figure, too"),
+            (format!("inverse {scene} --json"), "for another program"),
+            ("inverse MODEL/SCENE --by INPUT --out INPUT.csv".to_owned(), "an input in place of the drive"),
+            ("run MODEL/OTHER --inputs INPUT.csv --step 1e-3".to_owned(), "and back, where nothing is prescribed"),
         ])
     }
 

@@ -69,8 +69,14 @@ const VALUES: [(&str, &str, &str); 14] = [
 ];
 
 /// Commands of other tools, and the command here with what to write.
-const COMMANDS: [(&str, &str, &str); 15] = [
+const COMMANDS: [(&str, &str, &str); 19] = [
+    (
+        "bifurcation bifurcations continuation continue branch branches fold folds buckle buckling snap-through hopf",
+        "equilibrium",
+        "equilibrium MODEL/SCENE --vary NAME=START:END:STEP",
+    ),
     ("equilibria trim static statics steady steady-state rest", "equilibrium", "equilibrium MODEL/SCENE"),
+    ("torque torques inverse-dynamics id actuators", "inverse", "inverse MODEL/SCENE"),
     ("simulate sim solve integrate start exec execute go compute motion csv export save", "run", "run MODEL/SCENE"),
     ("draw picture diagram drawing view viewer svg image", "sketch", "sketch MODEL/SCENE"),
     ("gif animation anim movie video render play player film", "animate", "animate MODEL/SCENE"),
@@ -86,10 +92,16 @@ const COMMANDS: [(&str, &str, &str); 15] = [
         "linearize MODEL/SCENE",
     ),
     (
+        "bode bodeplot tf transfer transfer-function freqresp frequency-response response margin margins zeros pzmap",
+        "linearize",
+        "linearize MODEL/SCENE --response INPUT:OUTPUT",
+    ),
+    (
         "bench benchmark convergence precision work-precision error errors tolerance methods",
         "accuracy",
         "accuracy MODEL/SCENE",
     ),
+    ("loads bearing bearings joints power powers hodograph", "reactions", "reactions MODEL/SCENE"),
     ("diff cmp difference", "compare", "compare FIRST.csv SECOND.csv"),
     (
         "equations eqs equation print latex tex describe jacobian mass-matrix constraints derive symbolic",
@@ -106,16 +118,16 @@ const COMMANDS: [(&str, &str, &str); 15] = [
 /// What no command and no option does, and the nearest thing.
 const ABSENT: [(&str, &str); 21] = [
     (
-        "bode nyquist sensitivity",
-        "no command draws responses or sensitivities; 'linearize --json' prints A, B, C, D, and programs have responses (ezy_core::analysis)",
+        "nyquist sensitivity sensitivities",
+        "no command draws Nyquist plots or sensitivities; 'linearize --response INPUT:OUTPUT --json' prints margins, and --out writes the response",
     ),
     (
         "optimise optimize fit identify calibrate",
         "no command optimises; 'sweep' runs a scene with many values, and programs loop over scenes, whose parameters are fields",
     ),
     (
-        "inverse inverse-dynamics inverse-kinematics ik kinematic kinematics",
-        "no command solves for forces or inputs; `drive` in a model prescribes a motion, and a run records the force that it takes, as lambda.NAME",
+        "inverse-kinematics ik kinematic kinematics",
+        "no command solves for positions; `drive` in a model prescribes a motion, and 'inverse' finds the forces that it takes",
     ),
     (
         "build compile make translate",
@@ -168,7 +180,7 @@ const ABSENT: [(&str, &str); 21] = [
     ),
     (
         "forces force reactions reaction multipliers events event",
-        "'run' prints multipliers and events by itself; --out writes multipliers at all times, as lambda.NAME",
+        "'reactions MODEL/SCENE' prints what joints bear; 'run' prints multipliers and events, and --out writes multipliers at all times, as lambda.NAME",
     ),
     ("all everything recursive", "'list' and 'gallery' without a name take all models; the other commands need a name"),
     (
@@ -479,7 +491,10 @@ mod tests {
             ("animate a/b --t-end 3", "use '--until <S>'"),
             ("run a/b -o x.csv", "use '--out <FILE.csv>'"),
             ("run a/b --plot", "use the command 'ezy plot'"),
-            ("sketch a/b --dt 1", "`--step` is an option of run, plot, compare, sweep, animate, not of sketch"),
+            (
+                "sketch a/b --dt 1",
+                "`--step` is an option of run, plot, compare, reactions, sweep, animate, inverse, not of sketch",
+            ),
             ("run a/b m0=3", "write --set m0=3"),
             ("run a/b --method ode45", "use '--method dop853': Method of Dormand"),
             ("run a/b --method ode15s", "use '--method radau': Implicit"),
@@ -493,7 +508,8 @@ mod tests {
             ("run a/b --gravity 9.81", "no parameter here is in m/s^2"),
             ("run a/b --realtime", "has the speed"),
             ("linearise a/b", "use 'ezy linearize MODEL/SCENE': Finds a steady motion"),
-            ("bode a/b", "no command draws responses"),
+            ("bode a/b", "use 'ezy linearize MODEL/SCENE --response INPUT:OUTPUT'"),
+            ("nyquist a/b", "no command draws Nyquist plots"),
             ("compile a/b", "models are compiled with the crate"),
             ("run a/b --eigenvalues", "use the command 'ezy linearize'"),
             ("run a/b --verbose", "one level of output"),

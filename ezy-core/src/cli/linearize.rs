@@ -23,12 +23,26 @@ pub(super) fn linearize(models: Models<'_>, arguments: &LinearizeArguments) -> R
     use super::failure::print;
     use super::json::print_json;
     use super::linearize_text::{Linearized, json_of, text_of};
-    use super::root_locus;
     use super::steady::Request;
+    use super::{response, root_locus};
 
     let request = Request::new(models, &arguments.steady)?;
-    if let Some(variation) = &arguments.vary {
-        return root_locus::print_locus(&request, arguments, variation);
+    match (&arguments.vary, &arguments.response[..]) {
+        (Some(_), [_, ..]) => {
+            return Err(Failure::wrong_use(
+                "--response is that of one steady motion, and --vary prints the eigenvalues of many; leave out one of them, \
+                 and give another value by --set, --input or --start",
+            ));
+        }
+        (Some(variation), []) => return root_locus::print_locus(&request, arguments, variation),
+        (None, [_, ..]) => return response::print_responses(&request, arguments),
+        (None, []) if arguments.out.is_some() || arguments.plot.is_some() => {
+            return Err(Failure::wrong_use(
+                "--out and --plot write what is computed over a value or over the frequency: give \
+                 --vary NAME=START:END:STEP or --response INPUT:OUTPUT with them",
+            ));
+        }
+        (None, []) => {}
     }
     let (motion, linear) = request.linearized(None)?;
     let spectrum = linear.spectrum().map_err(Failure::stopped)?;

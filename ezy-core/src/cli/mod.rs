@@ -1,4 +1,4 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `sweep`, `merge`, `equilibrium`, `linearize`, `animate`,
+//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `reactions`, `sweep`, `merge`, `equilibrium`, `linearize`, `inverse`, `animate`,
 //! `sketch`, `gallery`, `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:
@@ -17,6 +17,8 @@
 mod accuracy;
 mod animate;
 mod arguments;
+#[cfg(feature = "analysis")]
+mod bifurcation_diagram;
 mod check;
 mod command_line;
 mod compare;
@@ -30,6 +32,12 @@ mod examples;
 mod failure;
 mod gallery;
 mod interruption;
+mod inverse;
+mod inverse_arguments;
+#[cfg(feature = "analysis")]
+mod inverse_text;
+#[cfg(feature = "analysis")]
+mod inverse_values;
 mod json;
 mod leads;
 mod linearize;
@@ -46,6 +54,12 @@ mod out_path;
 mod plot;
 mod progress;
 mod quantity;
+mod reactions;
+mod reactions_text;
+#[cfg(feature = "analysis")]
+mod response;
+#[cfg(feature = "analysis")]
+mod response_text;
 #[cfg(feature = "analysis")]
 mod root_locus;
 mod run;

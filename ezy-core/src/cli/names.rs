@@ -104,7 +104,8 @@ pub(super) fn check_assignments(
     input.iter().try_for_each(|assignment| check_input(model, entry, &assignment.name))
 }
 
-fn check_input(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<(), Failure> {
+/// That an input exists.
+pub(super) fn check_input(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<(), Failure> {
     let info = (entry.info)();
     let wrong = |unknown| {
         let elsewhere = of_another_option(&info, "--input", name);

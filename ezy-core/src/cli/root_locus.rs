@@ -76,7 +76,7 @@ pub(super) fn print_locus(
 }
 
 /// The unit of what varies.
-fn unit<'i>(name: &str, info: &'i SceneInfo) -> &'i str {
+pub(super) fn unit<'i>(name: &str, info: &'i SceneInfo) -> &'i str {
     let declared = info.parameters.iter().chain(info.inputs).map(|known| (known.name, known.unit));
     let states = info.states.iter().map(|known| (known.name, known.unit));
     let starts = info.coordinates.iter().chain(&*info.velocities).map(|known| (&*known.name, known.unit));

@@ -21,7 +21,7 @@ pub(super) fn completions(
     let with_models: Vec<String> = models.iter().map(|model| typed(model.name)).chain(scenes.clone()).collect();
     let mut command = command.mut_subcommands(|command| {
         let (argument, paths) = match command.get_name() {
-            "run" | "accuracy" | "equilibrium" | "linearize" => ("path", &scenes),
+            "run" | "accuracy" | "equilibrium" | "inverse" | "linearize" => ("path", &scenes),
             "plot" => ("what", &scenes),
             "show" | "check" => ("path", &with_models),
             _ => return command,

@@ -8,7 +8,7 @@ use super::names::{check_assignments, scene_entry, scene_with};
 use super::steady_arguments::SteadyArguments;
 use super::value::parse_number;
 use super::vary::{Target, set, target};
-use crate::analysis::{AnalysisError, Linearization, Rests, Spectrum, SteadyMotion};
+use crate::analysis::{AnalysisError, BifurcationDiagram, Linearization, Rests, Spectrum, SteadyMotion};
 use crate::integrate::Method;
 use crate::model::{ModelInfo, SceneEntry, SceneInfo};
 use crate::record::find_name;
@@ -72,6 +72,15 @@ impl Request {
         Ok((found, linear))
     }
 
+    /// The steady motions over a value that varies.
+    pub(super) fn diagram(&self, name: &str, range: [f64; 2], step: f64) -> Result<BifurcationDiagram, Failure> {
+        let scene = scene_with(self.model, self.entry, &self.motion.set)?;
+        let run = simulation(&self.motion, scene.as_ref(), Method::default())?;
+        let (mut system, start) = run.system_at_start().map_err(refused)?;
+        let hold: Vec<&str> = self.hold.iter().map(String::as_str).collect();
+        BifurcationDiagram::of(&mut system, &start, &hold, name, range, step).map_err(failed)
+    }
+
     /// Every rest that many starts lead to, with its eigenvalues.
     pub(super) fn rests(&self) -> Result<(Rests, Vec<Spectrum>), Failure> {
         let scene = scene_with(self.model, self.entry, &self.motion.set)?;
@@ -92,6 +101,7 @@ pub(super) const N_STARTS: usize = 128;
 pub(super) fn failed(error: AnalysisError) -> Failure {
     match error {
         AnalysisError::UnknownHeld { .. }
+        | AnalysisError::Unknown { .. }
         | AnalysisError::Spatial { .. }
         | AnalysisError::System(_)
         | AnalysisError::Start(_) => Failure::wrong_use(error),

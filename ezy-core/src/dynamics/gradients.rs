@@ -120,6 +120,11 @@ impl<P: SceneRef> Gradients<P> {
         })
     }
 
+    /// The parameters of the scene in its order, and behind them which of its rows are switched on.
+    pub(crate) fn parameters(&self) -> Vec<f64> {
+        self.parameters.iter().map(|number| number.value).collect()
+    }
+
     /// Rows of the matrix of derivatives: the quantities that are differentiated.
     pub fn n_rows(&self, of: Of) -> usize {
         n_rows(&self.info, of)

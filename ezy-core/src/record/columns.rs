@@ -18,11 +18,14 @@ impl Column {
     }
 }
 
+/// Name of the forces with a potential among the powers.
+pub(crate) const POTENTIAL: &str = "potential";
+
 /// The columns of every sample of a scene, in the order in which a sample stores them.
 ///
 /// Time; coordinates; velocities; accelerations (`body.ax`, `body.ay`, `body.alpha`); multipliers (`lambda.<row>`);
 /// inputs (`input.<name>`); first-order states (`state.<name>`); outputs (`output.<name>`), if wanted; work of each effect (`work.<effect>`) and total
-/// `work`, if wanted; `kinetic`, `potential`; `balance`, if work is wanted; `residual.position` and
+/// `work`, if wanted; power of each effect (`power.<effect>`) and `power.potential`, if wanted; `kinetic`, `potential`; `balance`, if work is wanted; `residual.position` and
 /// `residual.velocity`.
 pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
     let mut all = vec![Column::new("t", "s")];
@@ -36,6 +39,10 @@ pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
     }
     if wanted.work {
         all.extend(info.effects.iter().map(|e| Column::new(format!("work.{}", e.name), "J")));
+    }
+    if wanted.power {
+        let names = info.effects.iter().map(|effect| effect.name).chain([POTENTIAL]);
+        all.extend(names.map(|name| Column::new(format!("power.{name}"), "W")));
     }
     let energies = ["work", "kinetic", "potential", "balance"].into_iter();
     let energies = energies.filter(|name| wanted.work || !matches!(*name, "work" | "balance"));
@@ -52,7 +59,11 @@ pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
 pub(crate) fn column_index(info: &SceneInfo, wanted: Wanted, name: &str) -> Result<usize, UnknownName> {
     let has = |wanted: Wanted| columns(info, wanted).iter().any(|column| column.name == name);
     let remedy = || {
-        let asked = [("work", Wanted { work: true, ..wanted }), ("outputs", Wanted { outputs: true, ..wanted })];
+        let asked = [
+            ("work", Wanted { work: true, ..wanted }),
+            ("outputs", Wanted { outputs: true, ..wanted }),
+            ("power", Wanted { power: true, ..wanted }),
+        ];
         asked.into_iter().find(|(_, wanted)| has(*wanted)).map(|(word, _)| word)
     };
     let all = columns(info, wanted);

@@ -7,8 +7,8 @@ mod memory;
 mod names;
 mod sample;
 
-pub(crate) use columns::column_index;
 pub use columns::{Column, columns};
+pub(crate) use columns::{POTENTIAL, column_index};
 pub use csv_writer::CsvWriter;
 pub(crate) use limited_reader::LimitedReader;
 pub(crate) use memory::Record;
@@ -22,6 +22,8 @@ pub struct Wanted {
     pub work: bool,
     /// The outputs of the scene: one evaluation a sample.
     pub outputs: bool,
+    /// The power of each effect, and of the forces with a potential: one evaluation a sample.
+    pub power: bool,
 }
 
 /// Takes the samples of a run as they are made; `Send`, so that a run can be handed to another thread.

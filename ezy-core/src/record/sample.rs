@@ -49,6 +49,9 @@ pub struct Sample<'r> {
     pub outputs: &'r [f64],
     /// Work of each effect since the start, J, `n_e`; empty unless wanted.
     pub work: &'r [f64],
+    /// Power of each effect, then that of the forces with a potential, W, `n_e + 1`; empty unless wanted
+    /// ([`Simulation::power`](crate::simulate::Simulation::power)). By name: `get("power.pump")`, `get("power.potential")`.
+    pub power: &'r [f64],
     /// Energies, J.
     pub energy: EnergyState,
     /// Largest |C| over the position constraints.
@@ -87,6 +90,10 @@ impl EnergyState {
     }
 }
 
+fn n_powers(info: &SceneInfo, wanted: Wanted) -> usize {
+    if wanted.power { info.n_effects() + 1 } else { 0 }
+}
+
 fn n_outputs(info: &SceneInfo, wanted: Wanted) -> usize {
     if wanted.outputs { info.n_outputs() } else { 0 }
 }
@@ -97,7 +104,7 @@ impl<'r> Sample<'r> {
         let works = if wanted.work { info.n_effects() + 2 } else { 0 };
         let of_motion =
             info.n_coordinates() + 2 * info.n_velocities() + info.n_rows() + info.n_inputs() + info.n_states();
-        N_ALWAYS + of_motion + n_outputs(info, wanted) + works
+        N_ALWAYS + of_motion + n_outputs(info, wanted) + works + n_powers(info, wanted)
     }
 
     /// Reads a stored sample.
@@ -111,6 +118,7 @@ impl<'r> Sample<'r> {
         let (states, rest) = rest.split_at(info.n_states());
         let (outputs, rest) = rest.split_at(n_outputs(info, wanted));
         let (work, rest) = rest.split_at(if wanted.work { info.n_effects() } else { 0 });
+        let (power, rest) = rest.split_at(n_powers(info, wanted));
         let (energy, rest) = if wanted.work {
             (EnergyState { work: rest[0], kinetic: rest[1], potential: rest[2], balance: rest[3] }, &rest[4..])
         } else {
@@ -128,6 +136,7 @@ impl<'r> Sample<'r> {
             states,
             outputs,
             work,
+            power,
             energy,
             position_residual: rest[0],
             velocity_residual: rest[1],
@@ -147,6 +156,7 @@ impl<'r> Sample<'r> {
             .chain(self.states.iter().copied())
             .chain(self.outputs.iter().copied())
             .chain(self.work.iter().copied())
+            .chain(self.power.iter().copied())
             .chain(of_work(work))
             .chain([kinetic, potential])
             .chain(of_work(balance))

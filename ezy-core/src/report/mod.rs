@@ -4,5 +4,6 @@ pub mod drawing;
 #[cfg(feature = "figures")]
 pub mod figure;
 pub mod page;
+pub mod reactions;
 pub mod table;
 pub mod typeset;

@@ -271,6 +271,13 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
         self
     }
 
+    /// Samples hold the power of each effect, and of the forces with a potential, too.
+    #[must_use]
+    pub fn power(mut self) -> Self {
+        self.settings.sampling.wanted.power = true;
+        self
+    }
+
     /// Samples hold the outputs of the scene, too.
     #[must_use]
     pub fn outputs(mut self) -> Self {

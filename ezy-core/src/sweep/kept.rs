@@ -86,8 +86,8 @@ enum Place {
 }
 
 /// What runs are asked for besides the motion, where it is kept.
-const OUTPUTS: Wanted = Wanted { outputs: true, work: false };
-const ALL: Wanted = Wanted { outputs: true, work: true };
+const OUTPUTS: Wanted = Wanted { outputs: true, work: false, power: false };
+const ALL: Wanted = Wanted { outputs: true, work: true, power: false };
 
 impl Reader {
     /// # Errors

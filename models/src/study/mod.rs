@@ -17,6 +17,7 @@ pub mod parts;
 mod projection;
 mod slips;
 mod steps;
+pub mod straight;
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -86,6 +87,7 @@ fn write_parts(
     equations_part::write(page, output, driven)?;
     projections.write(page);
     let coasting = coast::Coasting::study(page, output, interrupt)?;
+    let straight = straight::Straight::study(page, output, interrupt)?;
     tell(1);
     let drive = driven::Drive::measure(driven, interrupt)?;
     drive.write(page, output)?;
@@ -96,8 +98,14 @@ fn write_parts(
     let growth = growth::Growth::measure(driven, interrupt)?;
     growth.write(page, output)?;
     steps.write_order(page, output)?;
-    let found =
-        Findings { projections: &projections, coasting: &coasting, drive: &drive, steps: &steps, growth: &growth };
+    let found = Findings {
+        projections: &projections,
+        coasting: &coasting,
+        straight: &straight,
+        drive: &drive,
+        steps: &steps,
+        growth: &growth,
+    };
     tell(4);
     claims::write(page, &found, driven)?;
     Ok(summary(&found))
@@ -116,7 +124,7 @@ fn write_versions(page: &mut Page) {
 }
 
 fn summary(found: &Findings<'_>) -> Table {
-    let Findings { projections, coasting, drive, steps, growth } = found;
+    let Findings { projections, coasting, straight, drive, steps, growth } = found;
     let [driven_order, coast_order] = steps.orders();
     let last_exponent = growth.exponents.last().map_or(f64::NAN, |e| e.2);
     Table::new(["measured", "value"])
@@ -127,6 +135,10 @@ fn summary(found: &Findings<'_>) -> Table {
         .row([
             "coasting, 1 s: heading, kinetic energy".to_owned(),
             format!("{:.9} rad, {:.6} J", coasting.end_heading, coasting.kinetic_energy),
+        ])
+        .row([
+            "straight on at 1 m/s, bar ahead: growth of a small angle".to_owned(),
+            format!("{:.4} 1/s in a run, {:.6} 1/s by the eigenvalue", straight.measured, straight.expected),
         ])
         .row([
             "driven, 60 s: speed, kinetic energy".to_owned(),

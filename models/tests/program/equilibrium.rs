@@ -1,7 +1,7 @@
 //! The command `equilibrium` on scenes of the crate, against closed forms.
 
 use crate::run::{assert_wrong_use, ezy, text};
-use crate::{json, output};
+use crate::{directory, json, output};
 
 /// Positions of a rest, rad.
 const STEADY: f64 = 1e-11;
@@ -53,4 +53,39 @@ fn invariant_what_is_not_steady_says_why() {
     let told = text(&done.stderr);
     assert!(told.contains("steady"), "{told}");
     assert_wrong_use(&["equilibrium", "doublependulum/swing", "--hold", "uper.phi"], "did you mean `upper.phi`?");
+}
+
+/// Of a car whose rear tyres give way first the steering angle has a largest value, at a fold; to both sides alike.
+#[test]
+fn invariant_diagram_over_a_steering_angle_has_two_folds() {
+    let folder = directory("bifurcation_diagram");
+    let [csv, figure] = ["turns.csv", "turns.svg"].map(|name| folder.join(name).to_str().unwrap().to_owned());
+    let car = ["equilibrium", "singletrackcar/limit", "--set", "fr=5e3", "--set", "ff=7e3"];
+    let varied = [&car[..], &["--vary", "delta=-0.15:0.15:0.005"]].concat();
+    let told = output(&[&varied[..], &["--out", &csv, "--plot", &figure]].concat());
+    assert!(told.contains("1 branch over delta") && told.contains("car.omega [rad/s]"), "{told}");
+    assert_eq!(told.matches("  fold  ").count(), 2, "{told}");
+    let rows = std::fs::read_to_string(&csv).unwrap();
+    assert!(rows.starts_with("branch,delta [rad],bifurcation,unstable,car.x [m],"), "{rows}");
+    assert!(std::fs::read_to_string(&figure).unwrap().contains("unstable"));
+
+    let diagram = json(&[&varied[..], &["--json"]].concat());
+    let points = diagram["branches"][0]["points"].as_array().unwrap();
+    assert_eq!(points.len() + 1, rows.lines().count());
+    let folds: Vec<f64> =
+        points.iter().filter(|p| p["bifurcation"] == "fold").map(|p| p["value"].as_f64().unwrap()).collect();
+    assert!((folds[0] + folds[1]).abs() <= 1e-10 && folds[0].abs() > 0.04, "{folds:?}");
+    // beyond it no turn is near the start
+    let delta = format!("delta={}", folds[0].abs() + 1e-3);
+    let beyond = ezy(&[&car[..], &["--set", &delta]].concat());
+    assert_eq!(beyond.status.code(), Some(1), "{}", text(&beyond.stdout));
+}
+
+#[test]
+fn invariant_what_cannot_vary_is_refused() {
+    let scene = ["equilibrium", "doublependulum/swing", "--vary"];
+    let refused = |vary: &str, words: &str| assert_wrong_use(&[&scene[..], &[vary]].concat(), words);
+    refused("lenght=1:2:0.1", "`lenght` is not known");
+    refused("rtol=1e-9,1e-6", "a steady motion has no rtol");
+    refused("g=9.81", "one value is no range");
 }

@@ -7,12 +7,15 @@ mod equilibrium;
 mod faults;
 mod guide;
 mod hostile;
+#[cfg(feature = "analysis")]
+mod inverse;
 mod leads;
 #[cfg(feature = "analysis")]
 mod linearize;
 mod new;
 mod pictures;
 mod plots;
+mod reactions;
 mod run;
 mod scenes;
 mod show;

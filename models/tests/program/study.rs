@@ -1,13 +1,15 @@
 //! The study, done once: what it prints and what it writes.
 
 use crate::{assert_wrong_use, directory, ezy, text};
-use ezy_models::ezy_roller::Driven;
+use ezy_models::ezy_roller::{Coast, Driven};
 use ezy_models::study::averaged::Averaged;
 use ezy_models::study::parts::{geometric, log_slope};
+use ezy_models::study::straight::{Bar, eigenvalues};
 
 /// Figures, each as SVG, PNG and CSV.
-const FIGURES: [&str; 10] = [
+const FIGURES: [&str; 11] = [
     "coast_motion",
+    "straight_eigenvalues",
     "driven_paths",
     "driven_paths_beginning",
     "driven_speed",
@@ -119,4 +121,42 @@ fn analytic_mean_power_tends_to_the_limit_law() {
     let limit = 5.0 * law.mean_power(v) * v.powi(3) / law.mass;
     // the law misses terms of order 1/v²
     assert!((limit / law.limit() - 1.0).abs() < 1e-9, "{limit} {}", law.limit());
+}
+
+/// Against another derivation, with 32 digits, and the growth of a small angle in the run of the study.
+#[test]
+fn reference_eigenvalues_of_straight_running() {
+    let roller = Coast::default();
+    let cases = [
+        (Bar::Ahead, 1.0, [5.035_749_090_511_275, -0.789_060_348_789_421]),
+        (Bar::Folded, 1.0, [-0.790_041_551_870_144, -5.029_494_871_970_915]),
+    ];
+    for (bar, speed, expected) in cases {
+        let found = eigenvalues(&roller, bar, speed);
+        let backwards = eigenvalues(&roller, bar, -speed);
+        for (i, (found, expected)) in found.iter().zip(expected).enumerate() {
+            assert!((found - expected).abs() <= 1e-12 * 5.1, "{found} {expected}");
+            assert_eq!(backwards[1 - i], -found);
+        }
+    }
+}
+
+/// The closed form against the eigenvalues of the linear equations of the model.
+#[cfg(feature = "analysis")]
+#[test]
+fn analytic_eigenvalues_of_the_study_are_those_of_the_model() {
+    for (bar, angle) in [(Bar::Ahead, "bar.phi=0"), (Bar::Folded, "bar.phi=pi")] {
+        for speed in [-2.0, 0.5, 3.0] {
+            let start = format!("seat.vx={speed}");
+            let found = crate::json(&["linearize", "ezyroller/coast", "--start", angle, "--start", &start, "--json"]);
+            let mut found: Vec<f64> =
+                found["eigenvalues"].as_array().unwrap().iter().map(|s| s["real"].as_f64().unwrap()).collect();
+            found.sort_by(|a, b| b.total_cmp(a));
+            let expected = eigenvalues(&Coast::default(), bar, speed);
+            assert_eq!(found.len(), 2);
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).abs() <= 1e-10 * 16.0, "{found} {expected} at {start}");
+            }
+        }
+    }
 }

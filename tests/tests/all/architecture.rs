@@ -22,7 +22,7 @@ const CORE: &[(&str, &[&str])] = &[
     ("layout", &["layout", "model"]),
     ("linalg", &["linalg", "model"]),
     ("dynamics", &["dynamics", "linalg", "model", "scalar"]),
-    ("analysis", &["analysis", "dynamics", "model", "scalar"]),
+    ("analysis", &["analysis", "dynamics", "linalg", "model", "scalar"]),
     ("integrate", &["integrate", "dynamics", "linalg", "model", "scalar"]),
     ("output", &["output"]),
     ("record", &["record", "model"]),

@@ -16,6 +16,8 @@ const STEADY: f64 = 1e-11;
 const EIGENVALUES: f64 = 1e-10;
 /// How far beside an equilibrium the search begins, rad.
 const BESIDE: f64 = 0.02;
+/// m g l/2 of the sprung pendulum, N m.
+pub(crate) const SPRUNG_WEIGHT: f64 = 9.81;
 /// Starts of a search for all equilibria.
 const N_STARTS: usize = 128;
 
@@ -125,7 +127,7 @@ fn flat(name: &str) -> String {
 }
 
 /// Coordinates of an entry, by the bodies of the scene.
-fn positions(info: &SceneInfo, entry: &Value) -> Vec<f64> {
+pub(crate) fn positions(info: &SceneInfo, entry: &Value) -> Vec<f64> {
     let bodies = info.bodies.iter().map(|body| &entry["steady"]["bodies"][flat(body)]);
     bodies.flat_map(|values| [0, 1, 2].map(|part| number(&values[part]))).collect()
 }

@@ -158,3 +158,83 @@ fn analytic_inputs_that_are_not_enough_name_the_drive() {
     // its weight at 0.5 m, less what the motor can do
     assert!(drive == "path" && (left - (9.81 - 5.0)).abs() <= 1e-9, "{error}");
 }
+
+model! {
+    /// A rod that swings as it is told.
+    pub model Swung {
+        param m: kg = 2; param i: kg*m^2 = 0.7; param l: m = 0.6; param g: m/s^2 = 9.81;
+        param amp: rad = 0.9; param w: rad/s = 5;
+        input motor: N*m = 0;
+        body arm { mass: m, inertia: i }
+        hinge pivot: ground(0, 0) ~ arm(-l, 0);
+        torque arm: motor;
+        gravity (0, -g);
+        drive path: arm.phi = amp*sin(w*t);
+        start level { arm at (l, 0) angle 0; arm rate amp*w; }
+        scene swings { start level; until 2 s; }
+    }
+}
+
+#[test]
+fn analytic_rod_on_a_sine_takes_its_torque() {
+    let scene = swung::Swings::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut inverse = InverseDynamics::new(&system, &["path"], &["motor"]).unwrap();
+    let run = Simulation::new(&scene).every(0.05).run().unwrap();
+    for sample in run.samples() {
+        let (q, v) = (sample.coordinates.to_vec(), sample.velocities.to_vec());
+        let state = State { t: sample.t, q, v, z: Vec::new(), work: Vec::new() };
+        let found = inverse.along(&mut system, &state, sample.accelerations).unwrap();
+        let phase = 5.0 * sample.t;
+        let (angle, alpha) = (0.9 * phase.sin(), -0.9 * 25.0 * phase.sin());
+        let torque = (0.7 + 2.0 * 0.6 * 0.6) * alpha + 2.0 * 9.81 * 0.6 * angle.cos();
+        // the largest torque is 43 N m
+        assert!((found.inputs[0] - torque).abs() <= EXACT * 43.0, "{} for {torque} at {}", found.inputs[0], sample.t);
+        // the second route: the multiplier of the drive, of the run itself
+        let lambda = sample.get("lambda.path").unwrap();
+        assert!((found.inputs[0] + lambda).abs() <= EXACT * 43.0, "{} for {lambda}", found.inputs[0]);
+        let left = found.multipliers[system.info().n_rows() - 1];
+        assert!(left.abs() <= EXACT * 43.0, "{left}");
+    }
+}
+
+model! {
+    /// A trolley that is led, and a load that swings below it as it likes.
+    pub model Crane {
+        input push: N = 0; input kick: N*m = 0;
+        body trolley { mass: 3, inertia: 1 }
+        body load { mass: 2, inertia: 0.1 }
+        constraint rail: trolley.y = 0;
+        constraint level: trolley.phi = 0;
+        hinge pivot: trolley(0, 0) ~ load(0, 0.8);
+        force at trolley(0, 0): (push, 0);
+        torque load: kick;
+        gravity (0, -9.81 m/s^2);
+        drive path: trolley.x = 0.2 m * sin(2 rad/s * t);
+        start hangs { trolley at (0, 0); load angle 0.3; trolley velocity (0.4, 0); load rate 0; }
+        scene led { start hangs; until 2 s; }
+    }
+}
+
+#[test]
+fn analytic_inputs_that_move_what_is_free_are_refused() {
+    let scene = crane::Led::default();
+    let run = Simulation::new(&scene).every(0.1).run().unwrap();
+    let at = |sample: &ezy_core::record::Sample<'_>, input: &str| {
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut inverse = InverseDynamics::new(&system, &["path"], &[input]).unwrap();
+        let (q, v) = (sample.coordinates.to_vec(), sample.velocities.to_vec());
+        let state = State { t: sample.t, q, v, z: Vec::new(), work: Vec::new() };
+        inverse.along(&mut system, &state, sample.accelerations)
+    };
+    for sample in run.samples() {
+        // where the drive acts: the load is left to itself
+        let found = at(&sample, "push").unwrap();
+        let lambda = sample.get("lambda.path").unwrap();
+        assert!((found.inputs[0] + lambda).abs() <= EXACT * (1.0 + lambda.abs()), "{} {lambda}", found.inputs[0]);
+    }
+    // a torque on the load leads the trolley, too, but the load then moves otherwise
+    let error = at(&run.first(), "kick").unwrap_err();
+    let AnalysisError::OtherMotion { t: 0.0, name, with_inputs, with_drives, .. } = &error else { panic!("{error}") };
+    assert!(name == "load.omega" && (with_inputs - with_drives).abs() > 1.0, "{error}");
+}

@@ -8,6 +8,8 @@ mod angles;
 mod architecture;
 mod assembly_modes;
 mod backends;
+#[cfg(feature = "analysis")]
+mod bifurcations;
 mod circles;
 mod control;
 mod count_table;

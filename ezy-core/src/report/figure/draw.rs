@@ -49,11 +49,13 @@ impl Width {
 /// Draws the figure.
 pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureError> {
     let empty = || {
-        let positive = if figure.axes == Axes::LogLog { " above zero, as its logarithmic axes need" } else { "" };
+        let positive =
+            if figure.axes.are_logarithmic() == [true; 2] { " above zero, as its logarithmic axes need" } else { "" };
         FigureError::Empty { title: figure.title.clone(), positive }
     };
     let map = map(figure, width, &empty)?;
     let (x, mut y) = range::limits(figure).ok_or_else(empty)?;
+    let [log_x, log_y] = figure.axes.are_logarithmic();
     let n_panels = figure.panels.len();
     let n_down = |height: f64| (height / TICKS_DOWN) as usize;
     let mut height = width.height(figure);
@@ -63,7 +65,7 @@ pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureErr
     let label_width = label_lines.iter().map(Vec::len).max().unwrap_or(0) as f64 * LINE * LABEL_SIZE;
     let tick_width =
         |ticks: &Ticks| ticks.major.iter().map(|(_, label)| lettering::width(label, TICK_SIZE)).fold(0.0, f64::max);
-    let first_ticks = y.iter().map(|y| axis_ticks(figure.axes, *y, n_down(height)));
+    let first_ticks = y.iter().map(|y| axis_ticks(log_y, *y, n_down(height)));
     let widest = first_ticks.map(|ticks| tick_width(&ticks)).fold(0.0, f64::max);
     let left = MARGIN + label_width + 4.0 + widest + TICK_GAP + TICK;
     let right = map.as_ref().map_or(0.0, |(_, bar)| bar.beside()) + MARGIN + 12.0;
@@ -77,7 +79,7 @@ pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureErr
         height = axes_width * shape;
     }
     let total_width = left + axes_width + right;
-    let x_ticks = axis_ticks(figure.axes, x, (axes_width / TICKS_ACROSS) as usize);
+    let x_ticks = axis_ticks(log_x, x, (axes_width / TICKS_ACROSS) as usize);
 
     let title = lettering::wrapped(&figure.title, TITLE_SIZE, total_width - 2.0 * MARGIN);
     let x_label = lettering::wrapped(&figure.x_label, LABEL_SIZE, total_width - 2.0 * MARGIN);
@@ -91,7 +93,7 @@ pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureErr
     top += 6.0;
     let mut known_names = Vec::new();
     for (k, panel) in figure.panels.iter().enumerate() {
-        let y_ticks = axis_ticks(figure.axes, y[k], n_down(height));
+        let y_ticks = axis_ticks(log_y, y[k], n_down(height));
         let map = map.as_ref().filter(|_| k == 0);
         let of_scale = if y_ticks.scale.is_some() { LINE * TICK_SIZE } else { 0.0 };
         top += map.map_or(0.0, |(_, bar)| bar.above()).max(of_scale);
@@ -170,11 +172,8 @@ fn map<'f>(
     Ok(Some((grid, ColorBar::new(map, grid, extent, width, width.height(figure)))))
 }
 
-fn axis_ticks(axes: Axes, limits: [f64; 2], n: usize) -> Ticks {
-    match axes {
-        Axes::LogLog => ticks::logarithmic(limits, n),
-        Axes::Series | Axes::Plane | Axes::Map | Axes::Equal => ticks::linear(limits, n),
-    }
+fn axis_ticks(is_logarithmic: bool, limits: [f64; 2], n: usize) -> Ticks {
+    if is_logarithmic { ticks::logarithmic(limits, n) } else { ticks::linear(limits, n) }
 }
 
 #[cfg(test)]

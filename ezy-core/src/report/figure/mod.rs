@@ -47,6 +47,15 @@ enum Axes {
     Map,
     /// Both logarithmic.
     LogLog,
+    /// The abscissa logarithmic, the ordinate linear: for values over the frequency.
+    LogX,
+}
+
+impl Axes {
+    /// Whether abscissa and ordinate are logarithmic.
+    fn are_logarithmic(self) -> [bool; 2] {
+        [matches!(self, Self::LogLog | Self::LogX), self == Self::LogLog]
+    }
 }
 
 /// Something drawn along points.
@@ -177,6 +186,11 @@ impl Figure {
     /// Logarithmic axes, for convergence and growth.
     pub fn log_log(title: &str, x_label: &str, y_label: &str) -> Self {
         Self::new(title, x_label, y_label, Axes::LogLog)
+    }
+
+    /// A logarithmic abscissa and a linear ordinate, for values over the frequency.
+    pub fn log_x(title: &str, x_label: &str, y_label: &str) -> Self {
+        Self::new(title, x_label, y_label, Axes::LogX)
     }
 
     /// Values over a rectangular grid of two parameters: a heat map with contours and a colour bar. What is drawn after it lies over it.

@@ -26,13 +26,14 @@ pub(super) struct Scales {
 impl Scales {
     /// The place of a point in the picture.
     pub(super) fn place(&self, [x, y]: [f64; 2]) -> Place {
-        let part = |[low, high]: [f64; 2], value: f64| match self.axes {
-            Axes::LogLog => (value / low).log10() / (high / low).log10(),
+        let part = |[low, high]: [f64; 2], value: f64, is_log: bool| match is_log {
+            true => (value / low).log10() / (high / low).log10(),
             // halves, so that a span of the largest numbers is one
-            _ => (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low),
+            false => (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low),
         };
+        let [log_x, log_y] = self.axes.are_logarithmic();
         let Frame { left, bottom, .. } = self.frame;
-        [left + part(self.x, x) * self.frame.width(), bottom - part(self.y, y) * self.frame.height()]
+        [left + part(self.x, x, log_x) * self.frame.width(), bottom - part(self.y, y, log_y) * self.frame.height()]
     }
 
     fn x_place(&self, x: f64) -> f64 {
@@ -135,7 +136,7 @@ const DISTANCES: [f64; 4] = [4.0, 12.0, 22.0, 36.0];
 /// Each note at its place, or beside it where something is drawn there.
 pub(super) fn draw_notes(canvas: &mut Canvas, scales: &Scales, panel: &Panel, room: &mut Room) {
     for note in &panel.notes {
-        if ![note.x, note.y].iter().all(|value| range::is_drawable(scales.axes, *value)) {
+        if !range::is_drawable(scales.axes, [note.x, note.y]) {
             continue;
         }
         let [x, y] = scales.place([note.x, note.y]);

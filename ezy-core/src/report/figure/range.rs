@@ -11,15 +11,16 @@ const LEAST_SPAN: f64 = 1e-290;
 /// Part of a value that an axis shows on both sides when it is the only one.
 const AROUND_A_VALUE: f64 = 0.1;
 
-/// Whether a number has a place on an axis of this kind.
-pub(super) fn is_drawable(axes: Axes, value: f64) -> bool {
-    value.is_finite() && (axes != Axes::LogLog || value > 0.0)
+/// Whether abscissa and ordinate have a place on axes of this kind.
+pub(super) fn is_drawable(axes: Axes, [x, y]: [f64; 2]) -> bool {
+    let [log_x, log_y] = axes.are_logarithmic();
+    [(x, log_x), (y, log_y)].into_iter().all(|(value, is_log)| value.is_finite() && (!is_log || value > 0.0))
 }
 
 /// The points of a curve, with gaps (`None`) where a number has no place on its axis.
 pub(super) fn points(axes: Axes, curve: &Curve) -> impl Iterator<Item = Option<[f64; 2]>> + '_ {
     let all = curve.x.iter().zip(&curve.y);
-    all.map(move |(x, y)| (is_drawable(axes, *x) && is_drawable(axes, *y)).then_some([*x, *y]))
+    all.map(move |(x, y)| is_drawable(axes, [*x, *y]).then_some([*x, *y]))
 }
 
 /// Limits of abscissa and ordinate around everything that can be drawn in `panel`; `None` where nothing can.
@@ -31,8 +32,7 @@ fn extent(axes: Axes, panel: &Panel) -> Option<[[f64; 2]; 2]> {
         let ([left, right], [lower, upper]) = (grid.x.limits(), grid.y.limits());
         [[left, lower], [right, upper]]
     });
-    let mut all =
-        corners.chain(points).chain(notes.filter(|place| place.iter().all(|value| is_drawable(axes, *value))));
+    let mut all = corners.chain(points).chain(notes.filter(|place| is_drawable(axes, *place)));
     let [x, y] = all.next()?;
     Some(all.fold([[x, x], [y, y]], |[[x0, x1], [y0, y1]], [x, y]| [[x0.min(x), x1.max(x)], [y0.min(y), y1.max(y)]]))
 }
@@ -49,6 +49,7 @@ pub(super) fn limits(figure: &Figure) -> Option<([f64; 2], Vec<[f64; 2]>)> {
         Axes::LogLog => {
             (ticks::log_limits(x), y.map(|y| if y[0] > 0.0 { ticks::log_limits(y) } else { [0.1, 10.0] }).collect())
         }
+        Axes::LogX => (ticks::log_limits(x), y.map(|y| widened(y, MARGIN)).collect()),
         Axes::Map => (widened(x, 0.0), y.map(|y| widened(y, 0.0)).collect()),
         // time runs to the edges of its axis
         Axes::Series => (widened(x, 0.0), y.map(|y| widened(y, MARGIN)).collect()),
@@ -87,6 +88,14 @@ mod tests {
         let figure = Figure::log_log("gap", "h", "gap").points("gap", vec![0.1, 1.0, 10.0], vec![0.0, 1e-3, f64::NAN]);
         let (x, y) = limits(&figure).unwrap();
         assert_eq!(y[0].map(|y| format!("{y:e}")), ["1e-4", "1e-2"], "{x:?}");
+    }
+
+    #[test]
+    fn invariant_ordinate_over_a_logarithmic_abscissa_may_be_negative() {
+        let figure = Figure::log_x("G", "frequency", "phase").line("G", vec![0.0, 0.3, 10.0], vec![90.0, -10.0, -90.0]);
+        let (x, y) = limits(&figure).unwrap();
+        assert!((x[0] - 0.2).abs() < 1e-15 && (x[1] - 10.0).abs() < 1e-15, "{x:?}");
+        assert!((y[0][0] + 93.2).abs() < 1e-12 && (y[0][1] + 6.8).abs() < 1e-12, "{y:?}");
     }
 
     #[test]

@@ -20,6 +20,8 @@ pub(in crate::simulate) struct Sampler<'s> {
     wanted: Wanted,
     /// Empty unless wanted.
     outputs: Vec<f64>,
+    /// Empty unless wanted.
+    power: Vec<f64>,
     pub sliding: SlidingSkates,
     /// Those of the last sample.
     inputs: Vec<f64>,
@@ -74,6 +76,7 @@ impl<'s> Sampler<'s> {
             a: vec![0.0; info.n_velocities()],
             wanted,
             outputs: vec![0.0; if wanted.outputs { info.n_outputs() } else { 0 }],
+            power: vec![0.0; if wanted.power { info.n_effects() + 1 } else { 0 }],
             sliding: SlidingSkates::default(),
             inputs: vec![0.0; info.n_inputs()],
             info,
@@ -105,6 +108,12 @@ impl<'s> Sampler<'s> {
         let (position_residual, velocity_residual) =
             (system.position_residual(*t, q), system.velocity_residual(*t, q, v));
         let multipliers = self.sliding.multipliers(system, at);
+        if let Some((of_potential, of_effects)) = self.power.split_last_mut() {
+            system.power(*t, q, v, multipliers, of_effects);
+            // vᵀ M a is the power of all of them together
+            let kinetic = system.mass_matrix().iter().zip(v).zip(&self.a).map(|((m, v), a)| m * v * a).sum::<f64>();
+            *of_potential = kinetic - of_effects.iter().sum::<f64>();
+        }
         system.integrated_inputs().write_at(*t, &mut self.inputs);
         let sample = Sample {
             info: &self.info,
@@ -118,6 +127,7 @@ impl<'s> Sampler<'s> {
             states: z,
             outputs: &self.outputs,
             work: works,
+            power: &self.power,
             energy,
             position_residual,
             velocity_residual,

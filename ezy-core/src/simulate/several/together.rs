@@ -142,7 +142,7 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
         let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
         at.state = State { t: now.t, q: of_lane(&now.q), v: of_lane(&now.v), z: Vec::new(), work: Vec::new() };
         at.evaluate(&mut system).ok()?;
-        let mut sampler = Sampler::new(Arc::clone(&info), Wanted { outputs: true, work: false }, None);
+        let mut sampler = Sampler::new(Arc::clone(&info), Wanted { outputs: true, ..Wanted::default() }, None);
         sampler.keep(&mut system, &at).ok()?;
         let numbers = sampler.record.samples().next()?.numbers().collect();
         let mut points = vec![0.0; 2 * info.points.len()];

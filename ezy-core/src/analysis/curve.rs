@@ -6,6 +6,7 @@
 
 use super::Linearization;
 use super::error::AnalysisError;
+use super::position_rows::{bordered, solve};
 use super::spectrum::Spectrum;
 use super::steady_equations::{SteadyEquations, Unknowns};
 use super::steady_motion::{SteadyMotion, reciprocal};
@@ -388,19 +389,4 @@ impl<'e, 's, P: SceneRef> Curve<'e, 's, P> {
 /// What is seen of a step: no multipliers.
 fn seen(step: &DVector<f64>, strides: &DVector<f64>) -> DVector<f64> {
     step.zip_map(strides, |step, stride| if stride > 0.0 { step } else { 0.0 })
-}
-
-/// The Jacobian with one row more for each direction.
-pub(super) fn bordered(jacobian: &DMatrix<f64>, directions: &DMatrix<f64>) -> DMatrix<f64> {
-    let n = jacobian.nrows();
-    let mut all = DMatrix::zeros(n + directions.ncols(), jacobian.ncols());
-    all.rows_mut(0, n).copy_from(jacobian);
-    all.rows_mut(n, directions.ncols()).copy_from(&directions.transpose());
-    all
-}
-
-/// In least squares; the rows are consistent. None where a column depends on others.
-fn solve(matrix: DMatrix<f64>, right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let qr = matrix.qr();
-    qr.r().solve_upper_triangular(&qr.q().tr_mul(right))
 }

@@ -3,16 +3,14 @@
 //! # Source
 //! Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (2000), chapter 4.
 
-use super::curve::{Curve, Node, Place, bordered};
+use super::curve::{Curve, Node, Place};
 use super::error::AnalysisError;
-use super::root::sign_change;
+use super::orientation::Orientation;
+use super::position_rows::bordered;
+use super::root::{BETWEEN, lagrange, sign_change};
 use super::tolerances::continuation::{ACROSS, BESIDE, COARSE, FOLD};
 use crate::model::SceneRef;
 use nalgebra::{DMatrix, DVector};
-
-/// Where a singular place is interpolated from, in offsets from its middle: odd ones, so that none is beside it.
-const BETWEEN: [f64; 6] = [-1.0, -0.6, -0.2, 0.2, 0.6, 1.0];
-const N_BETWEEN: usize = BETWEEN.len();
 
 /// What is between two points.
 pub(super) enum Between<T> {
@@ -52,9 +50,8 @@ impl<P: SceneRef> Curve<'_, '_, P> {
         let borders = self.borders(&from.kept, &from.tangent);
         let first = bordered(&self.at(&from.place)?.jacobian, &borders);
         let last = bordered(&self.at(&to.place)?.jacobian, &borders);
-        let qr = first.clone().qr();
-        let seen = Seen { from, borders, q: qr.q(), sign: sign_of_diagonal(&qr.r()) };
-        let ends = [&first, &last].map(|matrix| seen.smallest(matrix));
+        let seen = Seen { from, borders, orientation: Orientation::of(first.clone()) };
+        let ends = [&first, &last].map(|matrix| seen.orientation.smallest(matrix));
         if ends[0].is_sign_positive() == ends[1].is_sign_positive() {
             return Ok(Between::Nothing);
         }
@@ -72,14 +69,7 @@ impl<P: SceneRef> Curve<'_, '_, P> {
         let (middle, offset) = (0.5 * (a + b), BESIDE * length);
         let places = BETWEEN.map(|place| middle + offset * place);
         let samples = places.into_iter().map(|x| self.sample(seen, x)).collect::<Result<Vec<_>, _>>()?;
-        // Lagrange's
-        let weights = |x: f64| {
-            let weight = |i: usize| {
-                let others = (0..places.len()).filter(|j| *j != i);
-                others.map(|j| (x - places[j]) / (places[i] - places[j])).product::<f64>()
-            };
-            std::array::from_fn::<f64, N_BETWEEN, _>(weight)
-        };
+        let weights = |x: f64| lagrange(&places, x);
         let f = |x: f64| weights(x).iter().zip(&samples).map(|(weight, (f, _))| weight * f).sum::<f64>();
         let bounds = [middle - offset, middle + offset];
         let values = bounds.map(f);
@@ -97,7 +87,7 @@ impl<P: SceneRef> Curve<'_, '_, P> {
     fn sample(&mut self, seen: &Seen<'_>, x: f64) -> Result<(f64, DVector<f64>), Stop> {
         let node = self.step(seen.from, x)?.ok_or(Stop::Unclear)?;
         let matrix = bordered(&self.at(&node.place)?.jacobian, &seen.borders);
-        Ok((seen.smallest(&matrix), self.vector(&node.place)))
+        Ok((seen.orientation.smallest(&matrix), self.vector(&node.place)))
     }
 
     /// A place where another curve is met, with the direction of that.
@@ -119,27 +109,11 @@ impl<P: SceneRef> Curve<'_, '_, P> {
     }
 }
 
-/// The product of the signs.
-fn sign_of_diagonal(r: &DMatrix<f64>) -> f64 {
-    r.diagonal().iter().map(|x| x.signum()).product()
-}
-
 /// From where signs of determinants are seen.
 struct Seen<'n> {
     from: &'n Node,
     borders: DMatrix<f64>,
-    q: DMatrix<f64>,
-    sign: f64,
-}
-
-impl Seen<'_> {
-    /// The smallest singular value, with the sign of the determinant.
-    fn smallest(&self, matrix: &DMatrix<f64>) -> f64 {
-        let qr = self.q.tr_mul(matrix).qr();
-        // of an orthogonal matrix the determinant is ±1
-        let sign = qr.q().determinant() * sign_of_diagonal(&qr.r()) * self.sign;
-        matrix.singular_values().min() * sign.signum()
-    }
+    orientation: Orientation,
 }
 
 /// Why a place between two points is not found.

@@ -135,6 +135,47 @@ pub enum AnalysisError {
         /// Its rate with the drives.
         with_drives: f64,
     },
+    /// A motion that does not come back.
+    #[error(
+        "no periodic motion was found near the start of scene `{scene}`: after {period} s and {steps} steps of the search `{what}` is {left:.3e} {unit} \
+         away from its start; take a start or a period that is nearer, such as the end of a longer run"
+    )]
+    NoReturn {
+        /// Name of the scene.
+        scene: &'static str,
+        /// The coordinate, velocity or state that is farthest from its start.
+        what: Name,
+        /// How far.
+        left: f64,
+        /// Unit of that.
+        unit: &'static str,
+        /// The period of the last run, s.
+        period: f64,
+        /// Steps of the search.
+        steps: usize,
+    },
+    /// Forces or rows of another period, or of any, where none was given.
+    #[error("the equations of scene `{scene}` depend on time{how}: give the period of what drives it")]
+    TimeDependent {
+        /// Name of the scene.
+        scene: &'static str,
+        /// In which way that is at odds with the period.
+        how: String,
+    },
+    /// The search ended where nothing moves.
+    #[error(
+        "the search from the start of scene `{scene}` ends in a rest, of which any period is one; take a start that is farther from it"
+    )]
+    AtRest {
+        /// Name of the scene.
+        scene: &'static str,
+    },
+    /// No length of time.
+    #[error("a period of {period} s is none; give one above zero")]
+    Period {
+        /// What was given, s.
+        period: f64,
+    },
     /// States that are not those of a period in whole steps.
     #[error(
         "{n_states} states of scene `{scene}` are no period in whole steps; take those at the times of `Monodromy::times`"
@@ -144,6 +185,54 @@ pub enum AnalysisError {
         scene: &'static str,
         /// How many states were given.
         n_states: usize,
+    },
+    /// Axes over which there is no workspace.
+    #[error("a workspace is over one or two coordinates, each once, with two or more ascending values; change {what}")]
+    Axes {
+        /// What is wrong.
+        what: String,
+    },
+    /// Drives fix what a workspace should be over.
+    #[error("in scene `{scene}` `{names}` cannot take other values: they are prescribed by {rows}; leave that out")]
+    Prescribed {
+        /// Name of the scene.
+        scene: &'static str,
+        /// The coordinates.
+        names: String,
+        /// Drives, as they may be left out.
+        rows: String,
+    },
+    /// Rows fix what a workspace should be over, or do so where the start is.
+    #[error(
+        "in scene `{scene}` `{names}` cannot take other values next to the start: the constraints fix them, or the start is a singular \
+         position; take other coordinates, or another start"
+    )]
+    Fixed {
+        /// Name of the scene.
+        scene: &'static str,
+        /// The coordinates.
+        names: String,
+    },
+    /// More moves than what a workspace is over.
+    #[error(
+        "scene `{scene}` has {n_free} degrees of freedom in position at its start, and values are given for {n_axes}: what is left moves freely; \
+         hold {names}, or as many others, or begin elsewhere where the start is a singular position"
+    )]
+    Undetermined {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Degrees of freedom.
+        n_free: usize,
+        /// Coordinates that are given values.
+        n_axes: usize,
+        /// Coordinates that could be held.
+        names: String,
+    },
+    /// Rows that have no value at a place.
+    #[error("the position constraints of scene `{scene}` are not finite at its start; take another start")]
+    NotFinite {
+        /// Name of the scene.
+        scene: &'static str,
     },
     /// Eigenvalues were not found.
     #[error("the eigenvalues of scene `{scene}` were not found: an entry of its matrix is not finite")]

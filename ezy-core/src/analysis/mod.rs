@@ -7,10 +7,12 @@
 //! | [`BifurcationDiagram`] | steady motions over a value that varies: folds, branch points, changes of stability |
 //! | [`Linearization`] | x' = A x + B u, y = C x + D u about it, on the manifold of the constraints |
 //! | [`Spectrum`] | eigenvalues, with those that are zero told apart |
+//! | [`PeriodicMotion`] | a motion that comes back to itself, or, as a gait, to itself seen from another place; found from a start |
 //! | [`Monodromy`] | what a period of a motion makes of small deviations: Floquet multipliers |
 //! | [`InverseDynamics`] | inputs in place of drives: the torques that a prescribed motion takes |
 //! | [`Mode`] | an eigenvalue with its eigenvector: damping, frequency, what moves |
 //! | [`Transfer`] | the response of one output to one input: poles, zeros, margins, Bode plots |
+//! | [`Workspace`] | which values of one or two coordinates a mechanism reaches, and where it is singular |
 //! | [`Locus`] | eigenvalues over a value that varies, and the critical values at which stability changes |
 //!
 //! Derivatives are exact ([`Gradients`]). Knows nothing of steps and of files.
@@ -27,16 +29,27 @@ mod locus;
 mod margins;
 mod mode;
 mod monodromy;
+mod orientation;
+mod periodic_motion;
+mod position_curve;
+mod position_rows;
 mod realization;
 mod rests;
+mod return_map;
 mod root;
 mod spectrum;
 mod steady_equations;
 mod steady_motion;
+mod swing;
+mod symmetry;
 #[cfg(test)]
 mod tests;
 mod tolerances;
 mod transfer;
+mod workspace;
+mod workspace_branch;
+mod workspace_curve;
+mod workspace_grid;
 
 pub use bifurcation::{Bifurcation, BifurcationDiagram, Branch, BranchEnd, BranchPoint};
 pub use bode::BodePoint;
@@ -48,10 +61,14 @@ pub use locus::{CriticalValue, Instability, Locus};
 pub use margins::AtFrequency;
 pub use mode::Mode;
 pub use monodromy::Monodromy;
+pub use periodic_motion::{Period, PeriodicMotion, Stability, Trivial};
 pub use rests::{Rest, Rests};
 pub use spectrum::Spectrum;
 pub use steady_motion::{Course, SteadyMotion};
+pub use swing::Swing;
 pub use transfer::Transfer;
+pub use workspace::{Axis, Workspace};
+pub use workspace_branch::{AssemblyBranch, Limit, ReachEnd, SingularPosition, Singularity};
 
 use crate::dynamics::{By, Gradients, Of, OperatingPoint};
 use crate::model::SceneRef;

@@ -60,67 +60,79 @@ impl Monodromy {
     /// [`AnalysisError::NoPeriod`] where the states are not as many as the times of whole steps; [`AnalysisError::Spatial`]; those of
     /// [`Gradients::new`] and of the accelerations.
     pub fn of<P: SceneRef>(system: &mut System<P>, states: &[State]) -> Result<Self, AnalysisError> {
-        let info = Arc::clone(system.info());
-        if states.len() <= N_STAGES || !(states.len() - 2).is_multiple_of(N_STAGES) {
-            return Err(AnalysisError::NoPeriod { scene: info.name, n_states: states.len() });
-        }
-        if !info.is_planar() {
-            return Err(AnalysisError::Spatial { scene: info.name });
-        }
+        let (basis, mut x) = deviations(system, states)?;
         let (first, last) = (&states[0], &states[states.len() - 1]);
-        let mut gradients = Gradients::new(system)?;
-        let n = first.q.len() + first.v.len() + first.z.len();
-        let n_steps = (states.len() - 2) / N_STAGES;
-        let h = (last.t - first.t) / n_steps as f64;
-        let (_, inner, weights) = gauss();
-        let (accelerations, multipliers) = accelerations(system, first)?;
-        let State { t, q, v, .. } = first;
-        let at = OperatingPoint {
-            fixed: system.fixed(),
-            t: *t,
-            q,
-            v,
-            accelerations: &accelerations,
-            multipliers: &multipliers,
-        };
-        let basis = null_space(rows_by_states(&mut gradients, &at));
-        let mut x = basis.clone();
-        for stages in states[1..states.len() - 1].chunks(N_STAGES) {
-            let flows =
-                stages.iter().map(|state| flow(system, &mut gradients, state)).collect::<Result<Vec<_>, _>>()?;
-            // (I − h F A) k = F x
-            let mut matrix = DMatrix::identity(N_STAGES * n, N_STAGES * n);
-            let mut right = DMatrix::zeros(N_STAGES * n, x.ncols());
-            for (i, (flow, inner)) in flows.iter().zip(inner).enumerate() {
-                for (j, share) in inner.into_iter().enumerate() {
-                    let mut block = matrix.view_mut((i * n, j * n), (n, n));
-                    block -= flow * (h * share);
-                }
-                right.rows_mut(i * n, n).copy_from(&(flow * &x));
-            }
-            let k = matrix.lu().solve(&right).ok_or(AnalysisError::NoEigenvalues { scene: info.name })?;
-            (0..N_STAGES).for_each(|i| x += k.rows(i * n, n) * (h * weights[i]));
-        }
+        let feedback = system.info().feedback;
         let moved = [0, 1, 2].map(|part| last.q[part] - first.q[part]);
         turn_back(&mut x, first.q.len(), moved[2]);
-        let gap = gap(first, last, moved, info.feedback);
+        let gap = gap(first, last, moved, feedback);
         Ok(Self { matrix: basis.tr_mul(&x), basis, moved, gap })
     }
 
     /// The multipliers: eigenvalues of M, by falling modulus. Those of a place, a heading and of the time that the motion is at are 1; the motion
     /// is stable where the others are smaller. None where an entry is not finite.
     pub fn multipliers(&self) -> Option<Vec<Complex<f64>>> {
-        if self.matrix.iter().any(|x| !x.is_finite()) {
-            return None;
-        }
-        let schur = Schur::try_new(self.matrix.clone(), f64::EPSILON, MAX_ITERATIONS)?;
-        let mut all: Vec<_> = schur.complex_eigenvalues().iter().copied().collect();
-        all.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
-        Some(all)
+        eigenvalues(&self.matrix)
     }
 }
 
-fn accelerations<P: SceneRef>(system: &mut System<P>, state: &State) -> Result<(Vec<f64>, Vec<f64>), AnalysisError> {
+/// Eigenvalues by falling modulus; none where an entry is not finite.
+pub(super) fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
+    if matrix.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let schur = Schur::try_new(matrix.clone(), f64::EPSILON, MAX_ITERATIONS)?;
+    let mut all: Vec<_> = schur.complex_eigenvalues().iter().copied().collect();
+    all.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
+    Some(all)
+}
+
+/// An orthonormal basis of the deviations that satisfy all constraints at the first state, and what becomes of it until the last one.
+pub(super) fn deviations<P: SceneRef>(
+    system: &mut System<P>,
+    states: &[State],
+) -> Result<(DMatrix<f64>, DMatrix<f64>), AnalysisError> {
+    let info = Arc::clone(system.info());
+    if states.len() <= N_STAGES || !(states.len() - 2).is_multiple_of(N_STAGES) {
+        return Err(AnalysisError::NoPeriod { scene: info.name, n_states: states.len() });
+    }
+    if !info.is_planar() {
+        return Err(AnalysisError::Spatial { scene: info.name });
+    }
+    let (first, last) = (&states[0], &states[states.len() - 1]);
+    let mut gradients = Gradients::new(system)?;
+    let n = first.q.len() + first.v.len() + first.z.len();
+    let n_steps = (states.len() - 2) / N_STAGES;
+    let h = (last.t - first.t) / n_steps as f64;
+    let (_, inner, weights) = gauss();
+    let (accelerations, multipliers) = accelerations(system, first)?;
+    let State { t, q, v, .. } = first;
+    let at =
+        OperatingPoint { fixed: system.fixed(), t: *t, q, v, accelerations: &accelerations, multipliers: &multipliers };
+    let basis = null_space(rows_by_states(&mut gradients, &at));
+    let mut x = basis.clone();
+    for stages in states[1..states.len() - 1].chunks(N_STAGES) {
+        let flows = stages.iter().map(|state| flow(system, &mut gradients, state)).collect::<Result<Vec<_>, _>>()?;
+        // (I − h F A) k = F x
+        let mut matrix = DMatrix::identity(N_STAGES * n, N_STAGES * n);
+        let mut right = DMatrix::zeros(N_STAGES * n, x.ncols());
+        for (i, (flow, inner)) in flows.iter().zip(inner).enumerate() {
+            for (j, share) in inner.into_iter().enumerate() {
+                let mut block = matrix.view_mut((i * n, j * n), (n, n));
+                block -= flow * (h * share);
+            }
+            right.rows_mut(i * n, n).copy_from(&(flow * &x));
+        }
+        let k = matrix.lu().solve(&right).ok_or(AnalysisError::NoEigenvalues { scene: info.name })?;
+        (0..N_STAGES).for_each(|i| x += k.rows(i * n, n) * (h * weights[i]));
+    }
+    Ok((basis, x))
+}
+
+pub(super) fn accelerations<P: SceneRef>(
+    system: &mut System<P>,
+    state: &State,
+) -> Result<(Vec<f64>, Vec<f64>), AnalysisError> {
     let State { t, q, v, z, .. } = state;
     system.place_states(z);
     let (mut a, mut lambda) = (vec![0.0; v.len()], vec![0.0; system.info().n_rows()]);
@@ -129,7 +141,7 @@ fn accelerations<P: SceneRef>(system: &mut System<P>, state: &State) -> Result<(
 }
 
 /// F: rates of deviations by these.
-fn flow<P: SceneRef>(
+pub(super) fn flow<P: SceneRef>(
     system: &mut System<P>,
     gradients: &mut Gradients<P>,
     state: &State,
@@ -144,7 +156,7 @@ fn flow<P: SceneRef>(
 }
 
 /// Turns vectors of deviations by minus an angle, in place.
-fn turn_back(x: &mut DMatrix<f64>, n_q: usize, angle: f64) {
+pub(super) fn turn_back(x: &mut DMatrix<f64>, n_q: usize, angle: f64) {
     let (sin, cos) = angle.sin_cos();
     for first in (0..2 * n_q).step_by(N_OF_BODY) {
         for j in 0..x.ncols() {

@@ -42,23 +42,27 @@ impl Realization {
     }
 
     /// With states in balanced units, and with b and c, times the two factors, as large as A. All factors are powers of two: nothing is rounded.
+    ///
+    /// A is balanced alone first: before, its norm is that of the units of the states, and b and c of that size would choose these units.
     fn scaled(&self) -> (Self, [f64; 2]) {
         let mut scaled = self.clone();
         let mut factors = [1.0; 2];
-        // once for the units of input and output, once more after the units of the states
-        for balances in [true, false] {
-            let size = scaled.size();
-            for (vector, factor) in [&mut scaled.b, &mut scaled.c].into_iter().zip(&mut factors) {
-                let by = power_of_two(size / vector.norm());
-                *vector *= by;
-                *factor *= by;
-            }
-            if balances {
-                balance(&mut scaled.a, &mut scaled.b, &mut scaled.c);
-            }
-        }
+        balance(&mut scaled, false);
+        scaled.scale_ends(&mut factors);
+        balance(&mut scaled, true);
+        scaled.scale_ends(&mut factors);
         scaled.d *= factors[0] * factors[1];
         (scaled, factors)
+    }
+
+    /// Makes b and c as large as A; their factors go into `factors`.
+    fn scale_ends(&mut self, factors: &mut [f64; 2]) {
+        let size = self.size();
+        for (vector, factor) in [&mut self.b, &mut self.c].into_iter().zip(factors) {
+            let by = power_of_two(size / vector.norm());
+            *vector *= by;
+            *factor *= by;
+        }
     }
 
     /// The norm of A, what others are compared with; 1 where that is zero.
@@ -139,12 +143,9 @@ impl Realization {
             left.keep(n);
             left.c = row.rows(0, n).into_owned();
         }
-        let Self { mut a, mut b, mut c, d } = left;
-        a -= &b * c.transpose() / d;
-        b.fill(0.0);
-        c.fill(0.0);
-        balance(&mut a, &mut b, &mut c);
-        Some(ZeroDynamics { gain: gain * d, relative_degree, matrix: a })
+        left.a -= &left.b * left.c.transpose() / left.d;
+        balance(&mut left, false);
+        Some(ZeroDynamics { gain: gain * left.d, relative_degree, matrix: left.a })
     }
 
     /// G(s) = cᵀ (s − A)⁻¹ b + d where A is upper Hessenberg; none where s is an eigenvalue.
@@ -211,21 +212,26 @@ fn power_of_two(x: f64) -> f64 {
     if x.is_finite() && x > 0.0 { x.log2().round().exp2() } else { 1.0 }
 }
 
-/// Gives the states units, by powers of two, in which rows and columns of `[A b; cᵀ 0]` are alike in size. What is rounding beside the largest
-/// entry has no say.
+/// Gives the states units, by powers of two, in which rows and columns of A, or of `[A b; cᵀ 0]` where `with_ends`, are alike in size.
+///
+/// Entries below n ε of the largest one are ignored: as rounding of a zero they would choose the unit. Units may therefore differ by some 1e7 from
+/// balanced ones: beyond that, entries that matter are ignored, too.
 ///
 /// # Source
 /// Parlett, Reinsch (1969), Balancing a matrix for calculation of eigenvalues and eigenvectors.
-fn balance(a: &mut DMatrix<f64>, b: &mut DVector<f64>, c: &mut DVector<f64>) {
+fn balance(of: &mut Realization, with_ends: bool) {
+    let Realization { a, b, c, .. } = of;
     let n = a.nrows();
-    let least = f64::EPSILON * n as f64 * a.amax().max(b.amax()).max(c.amax());
+    let end = |x: f64| if with_ends { x } else { 0.0 };
+    let largest = a.amax().max(end(b.amax())).max(end(c.amax()));
+    let least = f64::EPSILON * n as f64 * largest;
     let counted = |x: f64| if x.abs() > least { x.abs() } else { 0.0 };
     for _ in 0..MAX_SWEEPS {
         let mut is_balanced = true;
         for i in 0..n {
             let others = || (0..n).filter(|&j| j != i);
-            let row = others().map(|j| counted(a[(i, j)])).sum::<f64>() + counted(b[i]);
-            let column = others().map(|j| counted(a[(j, i)])).sum::<f64>() + counted(c[i]);
+            let row = others().map(|j| counted(a[(i, j)])).sum::<f64>() + counted(end(b[i]));
+            let column = others().map(|j| counted(a[(j, i)])).sum::<f64>() + counted(end(c[i]));
             let by = power_of_two((column / row).sqrt());
             if by == 1.0 || row == 0.0 || column == 0.0 {
                 continue;

@@ -1,4 +1,16 @@
-//! A sign change of a function of one variable.
+//! A sign change of a function of one variable, and interpolation.
+
+/// Where a singular place is interpolated from, in offsets from its middle: odd ones, so that none is beside it.
+pub(super) const BETWEEN: [f64; 6] = [-1.0, -0.6, -0.2, 0.2, 0.6, 1.0];
+
+/// Weights of the values at `places` in the polynomial through them, at `x`: Lagrange's.
+pub(super) fn lagrange<const N: usize>(places: &[f64; N], x: f64) -> [f64; N] {
+    let weight = |i: usize| {
+        let others = (0..N).filter(|j| *j != i);
+        others.map(|j| (x - places[j]) / (places[i] - places[j])).product::<f64>()
+    };
+    std::array::from_fn(weight)
+}
 
 /// Interpolation of the ITP method: κ₁ times the width, κ₂, and the steps that may be lost against bisection.
 const KAPPA_1: f64 = 0.2;

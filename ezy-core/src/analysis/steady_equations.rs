@@ -3,7 +3,7 @@
 use super::derivatives;
 use super::error::AnalysisError;
 use super::frame::Frame;
-use super::tolerances::search::{MET, STILL};
+use super::tolerances::search::{MET, NO_STATE, STILL};
 use crate::dynamics::{By, Gradients, Of, OperatingPoint, State, System, SystemError};
 use crate::linalg::Backend;
 use crate::model::coordinate::{body_and_component, n_bodies, place};
@@ -135,7 +135,7 @@ impl<'s, P: SceneRef> SteadyEquations<'s, P> {
         let size = |i: usize| match i {
             i if i < columns.states && self.info.coordinates[i].is_angle() => 1.0,
             i if i < columns.states => largest(0..columns.states),
-            i if i < columns.multipliers && sizes[i] == 0.0 => 1.0,
+            i if i < columns.multipliers && sizes[i] <= NO_STATE => 1.0,
             i if i < columns.multipliers => sizes[i],
             _ => speed,
         };
@@ -182,7 +182,8 @@ impl<'s, P: SceneRef> SteadyEquations<'s, P> {
         let length = lengths.fold(lever, |length: f64, (_, x)| length.max(x.abs()));
         let units = self.info.coordinates.iter().map(|info| if info.is_length() { length } else { 1.0 });
         let mut sizes: Vec<f64> = q.iter().zip(units).map(|(x, unit)| x.abs().max(unit)).collect();
-        sizes.extend(z.iter().chain(multipliers).map(|x| x.abs()));
+        sizes.extend(z.iter().map(|x| x.abs().max(NO_STATE)));
+        sizes.extend(multipliers.iter().map(|x| x.abs()));
         if self.moves {
             sizes.extend(v.iter().map(|v| v.abs()));
             let turn = if extent > 0.0 { speed / extent } else { speed };

@@ -1,5 +1,6 @@
 //! Against closed forms.
 
+mod swing;
 mod transfer;
 
 use super::{AnalysisError, Course, Instability, Linearization, Locus, Monodromy, Rests, Spectrum, SteadyMotion};

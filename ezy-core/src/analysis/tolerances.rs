@@ -29,6 +29,12 @@ pub(crate) mod search {
     /// Test: `invariant_rests_that_are_free_are_one`.
     pub(crate) const STILL: f64 = 1e-20;
 
+    /// First-order states below this are rounding of zero, which is no size: a step by 1 leaves 1e-16 of them, and a thousand times that is for what
+    /// they are multiplied with.
+    /// Unit: that of the state.
+    /// Test: `invariant_mode_of_a_state_alone_moves_no_body`.
+    pub(crate) const NO_STATE: f64 = 1e-13;
+
     /// Where the turn of a frame moves no part of the mechanism by more than this share of the speed, the motion is straight: ten times what is
     /// left of velocities where steps end.
     /// Unit: 1.
@@ -137,6 +143,40 @@ pub(crate) mod continuation {
     pub(crate) const MAX_BRANCHES: usize = 32;
 }
 
+/// Workspaces.
+pub(crate) mod workspace {
+    /// Singular values of position rows that are scaled to one, as a share of the largest: below it a row repeats others. Rounding leaves 1e-15
+    /// of those that are zero.
+    /// Unit: 1.
+    /// Test: `analytic_parallelogram_has_change_points`.
+    pub(crate) const INDEPENDENT: f64 = 1e-10;
+
+    /// Component of the tangent of a curve, a unit vector, along a coordinate: below it that does not change.
+    /// Unit: 1.
+    /// Test: `invariant_what_cannot_be_held_is_named`.
+    pub(crate) const UNMOVED: f64 = 1e-9;
+
+    /// How far a step may lead to a neighbouring place, in rad and lengths of the mechanism: beyond half a radian its tangent says little.
+    /// Unit: 1.
+    /// Test: `analytic_arm_reaches_a_ring`.
+    pub(crate) const AHEAD: f64 = 0.5;
+
+    /// How far a correction may move from where the tangent leads, in rad and lengths of the mechanism: more may be another way of assembly.
+    /// Unit: 1.
+    /// Test: `analytic_arm_reaches_a_ring`.
+    pub(crate) const ASTRAY: f64 = 0.1;
+
+    /// Steps to a neighbouring place are halved down to this share of the way.
+    /// Unit: 1.
+    /// Test: `analytic_arm_reaches_a_ring`.
+    pub(crate) const SHORTEST: f64 = 1.0 / 256.0;
+
+    /// A value that differs by less, as a share of the range, is an end of it: far above rounding, far below the distance of values.
+    /// Unit: 1.
+    /// Test: `analytic_crank_of_a_four_bar_turns_as_far_as_the_law_of_cosines_says`.
+    pub(crate) const END: f64 = 1e-12;
+}
+
 /// Linear equations about a steady motion.
 pub(crate) mod linear {
     /// Singular values of rows that are scaled to one, as a share of the largest: below it a row repeats others.
@@ -148,6 +188,66 @@ pub(crate) mod linear {
     /// Unit: 1.
     /// Test: `invariant_motion_that_turns_with_the_ground_is_not_steady`.
     pub(crate) const STEADY: f64 = 1e-7;
+}
+
+/// Periodic motions.
+pub(crate) mod periodic {
+    /// Newton steps at most: from a start that is near, six suffice.
+    /// Unit: steps.
+    /// Test: `invariant_motion_without_return_names_what_does_not`.
+    pub(crate) const MAX_STEPS: usize = 40;
+
+    /// Times that a step is halved at most; each costs a run.
+    /// Unit: halvings.
+    /// Test: `invariant_motion_without_return_names_what_does_not`.
+    pub(crate) const MAX_HALVINGS: usize = 10;
+
+    /// What may be left of a return, as a share of the largest value of its kind: a hundred times what runs at a tolerance of 1e-12 leave.
+    /// Unit: 1.
+    /// Test: `invariant_motion_without_return_names_what_does_not`.
+    pub(crate) const RETURNS: f64 = 1e-9;
+
+    /// From here on a step changes nothing but what runs leave, as a share of the largest value of its kind.
+    /// Unit: 1.
+    /// Test: `analytic_pendulum_has_its_period`.
+    pub(crate) const LAST: f64 = 1e-12;
+
+    /// Singular values of M − 1 below this leave a direction free, such as the amplitude where energy is kept: those of such directions are as
+    /// large as what does not yet return, which they may then not be divided by.
+    /// Unit: 1.
+    /// Test: `analytic_pendulum_has_its_period`.
+    pub(crate) const FREE: f64 = 1e-5;
+
+    /// What equations may change by where a rigid motion, a time or a whole turn is said to change nothing, as a share of their largest entry:
+    /// rounding, and a thousand times that.
+    /// Unit: 1.
+    /// Test: `analytic_driven_oscillator_has_one_motion`.
+    pub(crate) const SAME: f64 = 1e-11;
+
+    /// Largest change of a period in a step, as a share of it.
+    /// Unit: 1.
+    /// Test: `analytic_pendulum_has_its_period`.
+    pub(crate) const STRIDE: f64 = 0.3;
+
+    /// A motion this much slower than the one that the search began with is a rest.
+    /// Unit: 1.
+    /// Test: `invariant_motion_without_return_names_what_does_not`.
+    pub(crate) const SLOW: f64 = 1e-6;
+
+    /// Steps of the collocation to begin with, and at most.
+    /// Unit: steps.
+    /// Test: `analytic_van_der_pol_by_liouville`.
+    pub(crate) const N_STEPS: [usize; 2] = [200, 1600];
+
+    /// Where twice as many steps change M by less of its largest entry, they are enough.
+    /// Unit: 1.
+    /// Test: `analytic_van_der_pol_by_liouville`.
+    pub(crate) const ENOUGH: f64 = 1e-9;
+
+    /// A modulus nearer to one is one: a double multiplier splits by the root of what runs and collocation leave, 1e-12.
+    /// Unit: 1.
+    /// Test: `analytic_pendulum_has_its_period`.
+    pub(crate) const NEUTRAL: f64 = 1e-6;
 }
 
 /// Eigenvalues.
@@ -214,6 +314,21 @@ pub(crate) mod mode {
     /// Unit: 1.
     /// Test: `invariant_modes_are_eigenvectors`.
     pub(crate) const ALIKE: f64 = 1e-6;
+
+    /// Largest angle of a mode that is shown: well seen, and its cosine within a fiftieth of one.
+    /// Unit: rad.
+    /// Test: `analytic_swing_is_as_large_as_is_seen`.
+    pub(crate) const SEEN_ANGLE_RAD: f64 = 0.2;
+
+    /// Largest displacement of a mode that is shown, as a share of the size of the mechanism.
+    /// Unit: 1.
+    /// Test: `analytic_swing_is_as_large_as_is_seen`.
+    pub(crate) const SEEN_SHARE: f64 = 0.1;
+
+    /// Where all coordinates deviate by less, in m and rad, and a first-order state by one, no body moves: a hundred thousand times what rounding leaves.
+    /// Unit: m, rad.
+    /// Test: `invariant_mode_of_a_state_alone_moves_no_body`.
+    pub(crate) const STILL: f64 = 1e-11;
 }
 
 /// Root loci.
@@ -235,7 +350,7 @@ pub(crate) mod transfer {
 
     /// Times that all states are balanced at most: three or four suffice.
     /// Unit: sweeps.
-    /// Test: `cross_zeros_are_zeros_of_the_response`.
+    /// Test: `cross_transfer_is_the_response_in_any_units`.
     pub(crate) const MAX_SWEEPS: usize = 20;
 
     /// Zeros whose real part is less, as a share of the imaginary one, may be on the imaginary axis: where curves touch, two of them split by the

@@ -21,7 +21,9 @@ use super::names::{check_assignments, scene_entry, scene_with};
 use super::out_path::{ending, make_folder_of};
 use super::progress::Progress;
 use super::selection::typed;
-use data::Animation;
+pub(super) use data::Animation;
+#[cfg(feature = "analysis")]
+pub(super) use data::{Plot, Told};
 
 /// Frames of a page, where it holds them.
 const N_FRAMES: f64 = 1000.0;
@@ -29,7 +31,7 @@ const N_FRAMES: f64 = 1000.0;
 const N_NUMBERS: f64 = 200_000.0;
 const FEWEST_FRAMES: f64 = 50.0;
 /// Frames of a picture that moves, and of a directory of pictures.
-const N_PICTURES: f64 = 120.0;
+pub(super) const N_PICTURES: f64 = 120.0;
 /// Frames of a GIF at most, and the time of one at least, hundredths of a second.
 const MOST_OF_GIF: f64 = 200.0;
 const SHORTEST_OF_GIF: f64 = 4.0;
@@ -49,7 +51,7 @@ pub(super) fn animate(models: Models<'_>, arguments: &AnimateArguments) -> Resul
     let scene = scene_with(model, entry, &motion.set)?;
     let default = || PathBuf::from(format!("out/animation-{}-{}.html", typed(model.name), entry.name));
     let path = arguments.out.clone().unwrap_or_else(default);
-    let kind = Kind::of(&path)?;
+    let kind = Kind::of(&path, "--out")?;
     let has_pixels = kind == Kind::Gif || (arguments.frames.is_some() && arguments.format == FrameFormat::Png);
     match (has_pixels, arguments.width) {
         (true, _) => super::drawing::check()?,
@@ -79,12 +81,8 @@ pub(super) fn animate(models: Models<'_>, arguments: &AnimateArguments) -> Resul
     let animation = Animation::new(scene.as_ref(), &run, method(motion)?);
     let film = animation.film();
     let width = arguments.width.unwrap_or_else(|| film.width());
-    let (what, bytes) = match kind {
-        Kind::Svg => ("picture", film.moving(seconds(run.last().t)).into_bytes()),
-        Kind::Gif => ("picture", pixels::gif(&film, seconds(run.last().t), width)?),
-        Kind::Page => ("page", page::page(&animation).into_bytes()),
-    };
-    write(&path, &bytes)?;
+    write(&path, kind.bytes(&animation, seconds(run.last().t), width)?)?;
+    let what = kind.name();
     print(&format!("{}/{} {}\nThe {what}: {}\n", info.model, info.name, run.outcome, path.display()))?;
     if let Some(directory) = &arguments.frames {
         let name = |i: usize, ending: &str| directory.join(format!("frame-{i:04}.{ending}"));
@@ -106,34 +104,51 @@ pub(super) fn animate(models: Models<'_>, arguments: &AnimateArguments) -> Resul
 
 /// What is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     Page,
     Svg,
     Gif,
 }
 
 impl Kind {
-    /// By the ending of its name; a device has none.
-    fn of(path: &Path) -> Result<Self, Failure> {
+    /// By the ending of its name, which `option` gives; a device has none.
+    pub(super) fn of(path: &Path, option: &str) -> Result<Self, Failure> {
         match ending(path).as_deref() {
             None | Some("html" | "htm") => Ok(Self::Page),
             Some("svg") => Ok(Self::Svg),
             Some("gif") => Ok(Self::Gif),
             Some(_) => Err(Failure::wrong_use(format!(
-                "`{}`: animations are written as .html, .svg or .gif; give --out such a file",
+                "`{}`: animations are written as .html, .svg or .gif; give {option} such a file",
                 path.display()
             ))),
+        }
+    }
+
+    /// What the file is called.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Page => "page",
+            Self::Svg | Self::Gif => "picture",
+        }
+    }
+
+    /// The file. As a picture it moves for so many seconds; `width` is that of a GIF, pixels.
+    pub(super) fn bytes(self, animation: &Animation, seconds: f64, width: u32) -> Result<Vec<u8>, Failure> {
+        match self {
+            Self::Svg => Ok(animation.film().moving(seconds).into_bytes()),
+            Self::Gif => pixels::gif(&animation.film(), seconds, width),
+            Self::Page => Ok(page::page(animation).into_bytes()),
         }
     }
 }
 
 /// How long a picture moves.
-fn seconds(end_s: f64) -> f64 {
+pub(super) fn seconds(end_s: f64) -> f64 {
     end_s.clamp(SHORTEST_S, LONGEST_S)
 }
 
 /// Frames of a GIF, whose times are whole hundredths of a second.
-fn n_of_gif(seconds: f64) -> f64 {
+pub(super) fn n_of_gif(seconds: f64) -> f64 {
     let hundredths = (100.0 * seconds / MOST_OF_GIF).ceil().max(SHORTEST_OF_GIF);
     (100.0 * seconds / hundredths).round()
 }

@@ -6,10 +6,12 @@ use clap::{Args, Subcommand, ValueEnum};
 
 use super::inverse_arguments::InverseArguments;
 use super::motion_arguments::MotionArguments;
+use super::periodic_arguments::PeriodicArguments;
 use super::steady_arguments::{EquilibriumArguments, LinearizeArguments};
 use super::sweep_arguments::SweepArguments;
 use super::value::{Assignment, parse_assignment, parse_number};
 use super::vary::{Variation, parse_variation};
+use super::workspace_arguments::WorkspaceArguments;
 
 // what a command does is said at its arguments
 #[derive(Debug, Subcommand)]
@@ -31,6 +33,8 @@ pub(super) enum Command {
     Accuracy(AccuracyArguments),
     Equilibrium(EquilibriumArguments),
     Inverse(InverseArguments),
+    Periodic(PeriodicArguments),
+    Workspace(WorkspaceArguments),
     Completions(CompletionsArguments),
     Man(ManArguments),
 }

@@ -151,6 +151,7 @@ impl Examples {
                 format!("{near} --response {input}:{output} --plot bode.svg"),
                 "poles, zeros and margins from an input to an output, and a Bode plot",
             ),
+            (format!("{near} --mode 1 --animate mode.html"), "the first mode of the table, as an animation"),
             (format!("{near} --json"), "A, B, C, D and modes, for another program"),
         ])
     }
@@ -230,6 +231,34 @@ impl Examples {
             (format!("inverse {scene} --json"), "for another program"),
             ("inverse MODEL/SCENE --by INPUT --out INPUT.csv".to_owned(), "an input in place of the drive"),
             ("run MODEL/OTHER --inputs INPUT.csv --step 1e-3".to_owned(), "and back, where nothing is prescribed"),
+        ])
+    }
+
+    pub(super) fn of_periodic(&self) -> String {
+        let scene = &self.scene;
+        self.lines(&[
+            (format!("periodic {scene} --period 2"), "of a scene that is driven with a period of 2 s"),
+            (format!("periodic {scene} --period 2 --after 30"), "from where 30 periods of a run lead"),
+            (format!("periodic {scene} --period-near 1.5 --out motion.csv"), "the period is found, too"),
+            (format!("periodic {scene} --period 2 --json"), "for another program"),
+        ])
+    }
+
+    pub(super) fn of_workspace(&self) -> String {
+        let angle = self.info.as_ref().and_then(|info| info.coordinates.iter().find(|c| c.is_angle()));
+        let over = angle.map_or("BODY.phi", |angle| &*angle.name);
+        let scene = &self.scene;
+        self.lines(&[
+            (
+                format!("workspace {scene} --over {over}=-3:3:0.05"),
+                "how far it goes, and singular positions on the way",
+            ),
+            (
+                format!("workspace {scene} --over {over}=-3:3:0.05 --without DRIVE --plot reach.svg"),
+                "without a drive that prescribes it, and as a figure",
+            ),
+            ("workspace MODEL/SCENE --over TIP.x=-1:1:0.02 --over TIP.y=-1:1:0.02 --plot map.svg".to_owned(), "a map"),
+            (format!("workspace {scene} --over {over}=-3:3:0.05 --out reach.csv --json"), "for another program"),
         ])
     }
 

@@ -69,7 +69,7 @@ const VALUES: [(&str, &str, &str); 14] = [
 ];
 
 /// Commands of other tools, and the command here with what to write.
-const COMMANDS: [(&str, &str, &str); 19] = [
+const COMMANDS: [(&str, &str, &str); 21] = [
     (
         "bifurcation bifurcations continuation continue branch branches fold folds buckle buckling snap-through hopf",
         "equilibrium",
@@ -77,6 +77,11 @@ const COMMANDS: [(&str, &str, &str); 19] = [
     ),
     ("equilibria trim static statics steady steady-state rest", "equilibrium", "equilibrium MODEL/SCENE"),
     ("torque torques inverse-dynamics id actuators", "inverse", "inverse MODEL/SCENE"),
+    (
+        "reach reachable singular singularity singularities dead-centre dead-center change-point assembly grashof",
+        "workspace",
+        "workspace MODEL/SCENE --over COORDINATE=START:END:STEP",
+    ),
     ("simulate sim solve integrate start exec execute go compute motion csv export save", "run", "run MODEL/SCENE"),
     ("draw picture diagram drawing view viewer svg image", "sketch", "sketch MODEL/SCENE"),
     ("gif animation anim movie video render play player film", "animate", "animate MODEL/SCENE"),
@@ -101,6 +106,7 @@ const COMMANDS: [(&str, &str, &str); 19] = [
         "accuracy",
         "accuracy MODEL/SCENE",
     ),
+    ("floquet monodromy limit-cycle cycle gait orbit shooting poincare", "periodic", "periodic MODEL/SCENE --period S"),
     ("loads bearing bearings joints power powers hodograph", "reactions", "reactions MODEL/SCENE"),
     ("diff cmp difference", "compare", "compare FIRST.csv SECOND.csv"),
     (
@@ -127,7 +133,7 @@ const ABSENT: [(&str, &str); 21] = [
     ),
     (
         "inverse-kinematics ik kinematic kinematics",
-        "no command solves for positions; `drive` in a model prescribes a motion, and 'inverse' finds the forces that it takes",
+        "'workspace --over BODY.x=START:END:STEP --out FILE.csv' solves for positions; `drive` in a model prescribes a motion, and 'inverse' finds the forces that it takes",
     ),
     (
         "build compile make translate",
@@ -509,6 +515,7 @@ mod tests {
             ("run a/b --realtime", "has the speed"),
             ("linearise a/b", "use 'ezy linearize MODEL/SCENE': Finds a steady motion"),
             ("bode a/b", "use 'ezy linearize MODEL/SCENE --response INPUT:OUTPUT'"),
+            ("singularities a/b", "use 'ezy workspace MODEL/SCENE --over COORDINATE=START:END:STEP'"),
             ("nyquist a/b", "no command draws Nyquist plots"),
             ("compile a/b", "models are compiled with the crate"),
             ("run a/b --eigenvalues", "use the command 'ezy linearize'"),

@@ -24,7 +24,7 @@ pub(super) fn linearize(models: Models<'_>, arguments: &LinearizeArguments) -> R
     use super::json::print_json;
     use super::linearize_text::{Linearized, json_of, text_of};
     use super::steady::Request;
-    use super::{response, root_locus};
+    use super::{response, root_locus, swing};
 
     let request = Request::new(models, &arguments.steady)?;
     match (&arguments.vary, &arguments.response[..]) {
@@ -44,9 +44,16 @@ pub(super) fn linearize(models: Models<'_>, arguments: &LinearizeArguments) -> R
         }
         (None, []) => {}
     }
+    swing::check(arguments)?;
     let (motion, linear) = request.linearized(None)?;
     let spectrum = linear.spectrum().map_err(Failure::stopped)?;
     let modes = linear.modes(&spectrum).map_err(Failure::stopped)?;
     let found = Linearized { motion: &motion, linear: &linear, spectrum: &spectrum, modes: &modes };
-    if arguments.json { print_json(&json_of(&found)) } else { print(&text_of(&found)) }
+    let shown = swing::animate_mode(&request, arguments, &motion, &modes)?;
+    if arguments.json {
+        let mut json = json_of(&found);
+        json["animation"] = shown.map_or(serde_json::Value::Null, swing::Shown::json);
+        return print_json(&json);
+    }
+    print(&(text_of(&found) + &shown.map(|shown| shown.text()).unwrap_or_default()))
 }

@@ -28,14 +28,16 @@ pub(super) fn text_of(found: &Linearized<'_>) -> String {
     let mut text = heading(info, motion) + &state_text(info, motion);
     if !modes.is_empty() {
         let names = names_of_rows(info);
-        let head = ["real [1/s]", "imag [1/s]", "damping ratio", "frequency [Hz]", "doubles in [s]", "halves in [s]"];
+        let head =
+            ["mode", "real [1/s]", "imag [1/s]", "damping ratio", "frequency [Hz]", "doubles in [s]", "halves in [s]"];
         let mut table = Table::new(head.into_iter().chain(["moves most"]));
-        for mode in *modes {
+        for (mode, number) in modes.iter().zip(1..) {
             let s = mode.eigenvalue;
             let [doubles, halves] = [1.0, -1.0].map(|sign| time(sign * mode.doubling_time_s()));
             let most: Vec<&str> = mode.largest.iter().take(MOST_NAMES).map(|i| names[*i]).collect();
             let numbers = [s.re, s.im, mode.damping_ratio(), mode.frequency_hz()].map(|x| fixed(x, DIGITS));
-            table.push(numbers.into_iter().chain([doubles, halves, most.join(", ")]));
+            let number = usize::to_string(&number);
+            table.push([number].into_iter().chain(numbers).chain([doubles, halves, most.join(", ")]));
         }
         text += &format!("\n{table}");
     }
@@ -51,7 +53,7 @@ fn time(t: f64) -> String {
 const ENDLESS_S: f64 = 1e9;
 
 /// Names of the rows of the basis.
-fn names_of_rows(info: &SceneInfo) -> Vec<&str> {
+pub(super) fn names_of_rows(info: &SceneInfo) -> Vec<&str> {
     let states = info.states.iter().map(|state| state.name);
     info.coordinates.iter().chain(&*info.velocities).map(|c| &*c.name).chain(states).collect()
 }
@@ -99,6 +101,6 @@ fn mode_json(mode: &Mode, names: &[&str]) -> Value {
     })
 }
 
-fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
+pub(super) fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }

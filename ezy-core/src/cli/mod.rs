@@ -1,4 +1,4 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `reactions`, `sweep`, `merge`, `equilibrium`, `linearize`, `inverse`, `animate`,
+//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `reactions`, `sweep`, `merge`, `equilibrium`, `linearize`, `inverse`, `periodic`, `workspace`, `animate`,
 //! `sketch`, `gallery`, `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:
@@ -51,6 +51,10 @@ mod motion_table;
 mod names;
 mod out_file;
 mod out_path;
+mod periodic;
+mod periodic_arguments;
+#[cfg(feature = "analysis")]
+mod periodic_text;
 mod plot;
 mod progress;
 mod quantity;
@@ -80,8 +84,16 @@ mod steady_text;
 mod sweep;
 mod sweep_arguments;
 mod sweep_maps;
+#[cfg(feature = "analysis")]
+mod swing;
 mod value;
 mod vary;
+mod workspace;
+mod workspace_arguments;
+#[cfg(feature = "analysis")]
+mod workspace_figure;
+#[cfg(feature = "analysis")]
+mod workspace_text;
 
 use std::process::ExitCode;
 

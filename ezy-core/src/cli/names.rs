@@ -10,6 +10,12 @@ use super::quantity;
 use super::selection::{find, path};
 use super::value::Assignment;
 
+/// The name of what has several rows: `motor` of `motor.x`.
+#[cfg(feature = "analysis")]
+pub(super) fn base(row: &str) -> &str {
+    row.rsplit_once('.').map_or(row, |(base, _)| base)
+}
+
 /// A name that is given two values has none.
 fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Failure> {
     for (i, later) in assignments.iter().enumerate() {

@@ -86,7 +86,7 @@ fn lines(unit: &str, of: &Transfer) -> Vec<[String; 2]> {
         None => "none, the magnitude is largest at one end of the frequencies".to_owned(),
     };
     let bandwidth = match (of.bandwidth(), of.static_gain()) {
-        (Some(omega), _) => format!("{} (−3 dB from the static gain)", hz(omega)),
+        (Some(omega), _) => format!("{} (-3 dB from the static gain)", hz(omega)),
         (None, Some(gain)) if gain != 0.0 => "none, the magnitude never falls by 3 dB".to_owned(),
         (None, _) => "none, without a static gain".to_owned(),
     };
@@ -113,7 +113,7 @@ fn lines(unit: &str, of: &Transfer) -> Vec<[String; 2]> {
         ("bandwidth", bandwidth),
         ("gain margin", gain_margin),
         ("phase margin", phase_margin),
-        ("feedback", format!("of the negative output, input = −output: the loop {closed}")),
+        ("feedback", format!("of the negative output, input = -output: the loop {closed}")),
     ]
     .map(|(name, value)| [name.to_owned(), value])
     .into()

@@ -8,10 +8,13 @@ use super::names::{check_assignments, scene_entry, scene_with};
 use super::steady_arguments::SteadyArguments;
 use super::value::parse_number;
 use super::vary::{Target, set, target};
-use crate::analysis::{AnalysisError, BifurcationDiagram, Linearization, Rests, Spectrum, SteadyMotion};
+use crate::analysis::{
+    AnalysisError, Axis, BifurcationDiagram, Linearization, Rests, Spectrum, SteadyMotion, Workspace,
+};
 use crate::integrate::Method;
-use crate::model::{ModelInfo, SceneEntry, SceneInfo};
+use crate::model::{ModelInfo, Scene, SceneEntry, SceneInfo};
 use crate::record::find_name;
+use crate::simulate::Simulation;
 use std::sync::Arc;
 
 /// What is asked for of a scene.
@@ -46,6 +49,25 @@ impl Request {
         (self.entry.info)()
     }
 
+    /// The scene with its parameters.
+    pub(super) fn scene(&self) -> Result<Box<dyn Scene>, Failure> {
+        scene_with(self.model, self.entry, &self.motion.set)
+    }
+
+    /// A run of it.
+    pub(super) fn simulation<'s>(
+        &self,
+        scene: &'s (dyn Scene + 's),
+        method: Method,
+    ) -> Result<Simulation<'s, &'s (dyn Scene + 's)>, Failure> {
+        simulation(&self.motion, scene, method)
+    }
+
+    /// Names of what is held.
+    pub(super) fn hold(&self) -> Vec<&str> {
+        self.hold.iter().map(String::as_str).collect()
+    }
+
     /// How the scene is typed.
     pub(super) fn path(&self) -> String {
         super::selection::path(self.model, self.entry)
@@ -72,6 +94,16 @@ impl Request {
         Ok((found, linear))
     }
 
+    /// The scene with its parameters, and the values of its inputs.
+    pub(super) fn scene_with_inputs(&self) -> Result<(Box<dyn Scene>, Vec<f64>), Failure> {
+        let scene = scene_with(self.model, self.entry, &self.motion.set)?;
+        let (system, _) =
+            simulation(&self.motion, scene.as_ref(), Method::default())?.system_at_start().map_err(refused)?;
+        let inputs = system.fixed().iter().take(system.info().n_inputs()).copied().collect();
+        drop(system);
+        Ok((scene, inputs))
+    }
+
     /// The steady motions over a value that varies.
     pub(super) fn diagram(&self, name: &str, range: [f64; 2], step: f64) -> Result<BifurcationDiagram, Failure> {
         let scene = scene_with(self.model, self.entry, &self.motion.set)?;
@@ -79,6 +111,21 @@ impl Request {
         let (mut system, start) = run.system_at_start().map_err(refused)?;
         let hold: Vec<&str> = self.hold.iter().map(String::as_str).collect();
         BifurcationDiagram::of(&mut system, &start, &hold, name, range, step).map_err(failed)
+    }
+
+    /// The positions over one or two coordinates, without some drives.
+    pub(super) fn workspace(&self, axes: &[Axis], without: &[String]) -> Result<Workspace, Failure> {
+        let scene = scene_with(self.model, self.entry, &self.motion.set)?;
+        let run = simulation(&self.motion, scene.as_ref(), Method::default())?;
+        let (mut system, start) = run.system_at_start().map_err(refused)?;
+        let [hold, without] =
+            [&self.hold[..], without].map(|names| names.iter().map(String::as_str).collect::<Vec<_>>());
+        Workspace::of(&mut system, &start, axes, &hold, &without).map_err(|error| match error {
+            AnalysisError::Prescribed { .. } => Failure::wrong_use(format!("{error} by --without")),
+            AnalysisError::Undetermined { .. } => Failure::wrong_use(format!("{error} (--hold, --start)")),
+            AnalysisError::Fixed { .. } => Failure::wrong_use(format!("{error} (--over, --start)")),
+            error => failed(error),
+        })
     }
 
     /// Every rest that many starts lead to, with its eigenvalues.
@@ -103,6 +150,8 @@ pub(super) fn failed(error: AnalysisError) -> Failure {
         AnalysisError::UnknownHeld { .. }
         | AnalysisError::Unknown { .. }
         | AnalysisError::Spatial { .. }
+        | AnalysisError::Period { .. }
+        | AnalysisError::TimeDependent { .. }
         | AnalysisError::System(_)
         | AnalysisError::Start(_) => Failure::wrong_use(error),
         error => Failure::stopped(error),

@@ -12,7 +12,7 @@ use super::vary::{Variation, parse_variation};
 /// Looks for rest, or for a motion that is constant seen from a frame that travels and turns evenly, near the start of the scene: straight
 /// at one speed, or on a circle. Then linearizes about it: x' = A x + B u, y = C x + D u, with x in the tangent space of the constraints.
 /// With --vary: the root locus, and the critical values at which stability changes. With --response: the transfer function from an input to an
-/// output, its poles, zeros and margins, and a Bode plot.
+/// output, its poles, zeros and margins, and a Bode plot. With --mode: an animation of one mode.
 #[derive(Debug, Args)]
 #[cfg_attr(not(feature = "analysis"), allow(dead_code, reason = "told how to get the command"))]
 pub(super) struct LinearizeArguments {
@@ -28,6 +28,15 @@ pub(super) struct LinearizeArguments {
     /// Frequencies of the files of --response, rad/s: by default from below all poles and zeros to above
     #[arg(long, value_name = "FIRST:LAST", value_parser = parse_frequencies, requires = "response")]
     pub frequencies: Option<[f64; 2]>,
+    /// Draw the mechanism swinging in this mode of the table, counted from 1, without growth or decay; give --animate with it
+    #[arg(long, value_name = "N", requires = "animate", conflicts_with_all = ["vary", "response"])]
+    pub mode: Option<usize>,
+    /// The file of --mode: a page, .html, or a picture that moves, .gif or .svg
+    #[arg(long, value_name = "FILE", requires = "mode")]
+    pub animate: Option<PathBuf>,
+    /// How far what moves most deviates in the animation, m or rad [default: largest angle 0.2 rad, or largest displacement a tenth of the mechanism]
+    #[arg(long, value_name = "A", value_parser = parse_number, requires = "animate", allow_negative_numbers = true)]
+    pub amplitude: Option<f64>,
     /// Write as CSV a row for each value of --vary and each eigenvalue, or for each frequency of --response
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,

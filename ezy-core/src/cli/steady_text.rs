@@ -17,9 +17,14 @@ const MOST_ROWS: usize = 60;
 
 /// How a scene moves steadily, in a line.
 pub(super) fn heading(info: &SceneInfo, motion: &SteadyMotion) -> String {
+    format!("{}/{}: steady {}\n\n", info.model, info.name, course_text(info, motion))
+}
+
+/// How a scene moves steadily, in words.
+pub(super) fn course_text(info: &SceneInfo, motion: &SteadyMotion) -> String {
     let body = info.bodies.first().map_or("", |body| &**body);
     let short = |x| rounded(x, DIGITS);
-    let words = match motion.course() {
+    match motion.course() {
         Course::Rest => "at rest".to_owned(),
         Course::InPlace => "in place, with parts that turn evenly".to_owned(),
         Course::Straight { speed } => format!("straight at {} m/s", short(speed)),
@@ -29,8 +34,7 @@ pub(super) fn heading(info: &SceneInfo, motion: &SteadyMotion) -> String {
             short(speed),
             short(radius)
         ),
-    };
-    format!("{}/{}: steady {words}\n\n", info.model, info.name)
+    }
 }
 
 /// Coordinates with their rates, and states.

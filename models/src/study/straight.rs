@@ -113,30 +113,32 @@ fn table(scene: &Coast) -> Table {
 fn plate<'a>(scene: &Coast) -> Plate<'a> {
     let n = N_SPEEDS as i32 - 1;
     let speeds: Vec<f64> = (-n..=n).map(|i| FASTEST * f64::from(i) / f64::from(n)).collect();
-    let of = |bar: Bar, k: usize| -> Vec<f64> { speeds.iter().map(|v| eigenvalues(scene, bar, *v)[k]).collect() };
-    let [ahead, folded] = [Bar::Ahead, Bar::Folded].map(|bar| [of(bar, 0), of(bar, 1)]);
+    // in proportion to the speed
+    let of = |bar: Bar| eigenvalues(scene, bar, 1.0).map(|s| speeds.iter().map(|v| s * v).collect::<Vec<f64>>());
+    let [ahead, folded] = [Bar::Ahead, Bar::Folded].map(of);
     let ends = vec![-FASTEST, FASTEST];
+    // both in one look, with a gap between
+    let twice = [&speeds[..], &[f64::NAN], &speeds].concat();
+    let both = |of: &[Vec<f64>; 2]| [&of[0][..], &[f64::NAN], &of[1]].concat();
     let figure =
         Figure::plane("Eigenvalues of straight running", "speed [m/s], below zero backwards", "eigenvalue [1/s]")
             .guide("", ends, vec![0.0, 0.0])
-            .line("bar ahead, larger", speeds.clone(), ahead[0].clone())
-            .line("bar ahead, smaller", speeds.clone(), ahead[1].clone())
-            .line("bar folded, larger", speeds.clone(), folded[0].clone())
-            .line("bar folded, smaller", speeds.clone(), folded[1].clone());
-    let [ahead_1, ahead_2] = ahead;
-    let [folded_1, folded_2] = folded;
+            .line("bar ahead", twice.clone(), both(&ahead))
+            .line("bar folded back", twice, both(&folded));
+    let [[ahead_1, ahead_2], [folded_1, folded_2]] = [ahead, folded];
     Plate {
         name: "straight_eigenvalues",
         figure,
         columns: vec![
             ("speed [m/s]", speeds),
-            ("ahead, larger [1/s]", ahead_1),
-            ("ahead, smaller [1/s]", ahead_2),
-            ("folded, larger [1/s]", folded_1),
-            ("folded, smaller [1/s]", folded_2),
+            ("ahead, first [1/s]", ahead_1),
+            ("ahead, second [1/s]", ahead_2),
+            ("folded, first [1/s]", folded_1),
+            ("folded, second [1/s]", folded_2),
         ],
-        caption: "The eigenvalues of the angle between seat and bar over the speed. Above the dotted line a small angle grows.".to_owned(),
-        alternative: "Four straight lines from the origin to both sides: only the two of the folded bar are both below zero, and only forwards."
+        caption: "Both eigenvalues of the angle between seat and bar over the speed. Above the dotted line a small angle grows. The flat line is that of both bars."
+            .to_owned(),
+        alternative: "Straight lines through the origin. To the right, forwards, both of the folded bar fall below zero; with the bar ahead one rises steeply."
             .to_owned(),
     }
 }

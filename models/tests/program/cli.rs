@@ -322,6 +322,7 @@ fn invariant_help_of_every_command_has_its_usage() {
         "sweep",
         "linearize",
         "inverse",
+        "workspace",
         "animate",
         "sketch",
         "gallery",

@@ -112,7 +112,8 @@ fn program(words: &[String]) -> Option<Command> {
 fn is_built(words: &[String]) -> bool {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     match words[..] {
-        ["ezy", "equilibrium" | "inverse" | "linearize", ..] | ["cargo", "run", "--features", "analysis", ..] => {
+        ["ezy", "equilibrium" | "inverse" | "linearize" | "periodic" | "workspace", ..]
+        | ["cargo", "run", "--features", "analysis", ..] => {
             cfg!(feature = "analysis")
         }
         ["cargo", "run", "--features", "optimise", ..] => cfg!(feature = "optimise"),

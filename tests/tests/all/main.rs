@@ -53,6 +53,8 @@ mod other_mechanisms;
 mod outputs;
 mod packages;
 mod parallel_cranks;
+#[cfg(feature = "analysis")]
+mod periodic_motions;
 mod precise;
 mod projection;
 mod radau;
@@ -91,3 +93,5 @@ mod unequal_masses;
 mod unequal_members;
 mod walks;
 mod work;
+#[cfg(feature = "analysis")]
+mod workspaces;

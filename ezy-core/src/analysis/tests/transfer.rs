@@ -268,6 +268,29 @@ fn cross_zeros_are_zeros_of_the_response() {
     }
 }
 
+/// States in mm, input in kN, output in µm: poles and zeros stay, the gain follows the units.
+#[test]
+fn cross_transfer_is_the_response_in_any_units() {
+    let plain = linear(&oscillator::Rests::default());
+    let of_plain = plain.transfer("push", "net").unwrap();
+    for power in [-6, -3, 3, 6] {
+        let mut scaled = plain.clone();
+        let by = 10f64.powi(power);
+        scaled.a.row_mut(0).scale_mut(by);
+        scaled.a.column_mut(0).scale_mut(1.0 / by);
+        scaled.c.column_mut(0).scale_mut(1.0 / by);
+        scaled.b.row_mut(0).scale_mut(by);
+        (scaled.b, scaled.d) = (scaled.b * 1e3, scaled.d * 1e3);
+        let of_scaled = scaled.transfer("push", "net").unwrap();
+        close(&of_scaled.poles.eigenvalues, &of_plain.poles.eigenvalues);
+        assert_eq!((of_scaled.zeros.n_zero, of_scaled.n_unseen), (2, 0), "{of_scaled:?}");
+        for omega in [0.1, 3.0, 1e3] {
+            let [found, exact] = [&of_scaled, &of_plain].map(|of| of.at_frequency(omega).unwrap());
+            assert!((found / 1e3 - exact).norm() <= VALUES * exact.norm(), "{power}, {omega}: {found} for {exact}");
+        }
+    }
+}
+
 /// n equal masses between two walls, pushed in the middle: modes that are at rest there are neither moved nor seen. n odd: (n − 1)/2 of n.
 #[test]
 fn analytic_modes_that_are_not_seen_are_counted() {

@@ -1,5 +1,7 @@
 //! What the page of an animation shows, as numbers.
 
+use std::sync::Arc;
+
 use serde_json::{Value, json};
 
 use crate::integrate::Method;
@@ -12,16 +14,40 @@ use crate::simulate::Run;
 /// Forces are drawn up to so many elements.
 pub(super) const MOST_ARROWS: usize = 60;
 
-/// A run, ready to be shown.
-pub(super) struct Animation<'r> {
-    pub run: &'r Run,
-    pub drawing: Drawing,
-    /// The first frame.
-    pub start: Placed,
+/// A motion, ready to be shown.
+pub(in crate::cli) struct Animation {
+    info: Arc<SceneInfo>,
+    pub(super) drawing: Drawing,
     frames: Vec<Placed>,
     parameters: Vec<f64>,
     arrows: Vec<Arrow>,
-    method: Method,
+    plots: Vec<Plot>,
+    /// Names and times.
+    events: Vec<(String, f64)>,
+    told: Told,
+}
+
+/// What is told beside the picture, in words.
+#[derive(Default)]
+pub(in crate::cli) struct Told {
+    /// Behind the names of model and scene.
+    pub title: String,
+    /// Above the picture.
+    pub note: String,
+    /// Whether the note is a warning.
+    pub is_warning: bool,
+    /// How it was computed.
+    pub origin: String,
+    /// Whether the motion ends as it begins, and is played over and over.
+    pub repeats: bool,
+}
+
+/// Curves over the frames.
+pub(in crate::cli) struct Plot {
+    pub title: String,
+    pub unit: &'static str,
+    /// A name and a value for each frame.
+    pub curves: Vec<(String, Vec<f64>)>,
 }
 
 /// A force or a torque on a body.
@@ -36,24 +62,56 @@ struct Arrow {
     values: Vec<Vec<f64>>,
 }
 
-impl<'r> Animation<'r> {
-    pub(super) fn new(scene: &dyn Scene, run: &'r Run, method: Method) -> Self {
+impl Animation {
+    /// Of a run.
+    pub(super) fn new(scene: &dyn Scene, run: &Run, method: Method) -> Self {
         let elements = Elements::new(scene);
         let frames: Vec<Placed> = run.samples().map(|sample| elements.at_sample(scene, &sample)).collect();
+        let arrows = arrows(scene, run, &elements, &frames);
+        let events = run.events().iter().map(|event| (event.event.name.to_owned(), event.state.t)).collect();
+        let is_warning = !run.outcome.reached_end();
+        let note = if is_warning { format!("The run {}.", run.outcome) } else { String::new() };
+        let origin = format!("{}; the run {}.", told(method), run.outcome);
+        let told = Told { note, is_warning, origin, ..Told::default() };
+        Self { arrows, events, ..Self::of_frames(scene, elements, frames, plots(run), told) }
+    }
+
+    /// Of frames, of which there is one at least, without forces.
+    pub(in crate::cli) fn of_frames(
+        scene: &dyn Scene,
+        elements: Elements,
+        frames: Vec<Placed>,
+        plots: Vec<Plot>,
+        told: Told,
+    ) -> Self {
         let drawing = Drawing::new(scene, elements, &frames[0], &frames, None);
-        let arrows = arrows(scene, run, &drawing.elements, &frames);
-        let parameters = scene.parameters();
-        Self { run, start: frames[0].clone(), drawing, frames, parameters, arrows, method }
+        let (info, parameters) = (scene.info(), scene.parameters());
+        Self { info, drawing, frames, parameters, arrows: Vec::new(), plots, events: Vec::new(), told }
     }
 
     pub(super) fn info(&self) -> &SceneInfo {
-        self.run.info()
+        &self.info
+    }
+
+    pub(super) fn told(&self) -> &Told {
+        &self.told
+    }
+
+    /// The first frame.
+    pub(super) fn start(&self) -> &Placed {
+        &self.frames[0]
+    }
+
+    /// Pixels across a GIF, unless others are asked for.
+    #[cfg(feature = "analysis")]
+    pub(in crate::cli) fn width(&self) -> u32 {
+        self.film().width()
     }
 
     /// The motion as pictures.
     pub(super) fn film(&self) -> Film<'_> {
         let info = self.info();
-        Film::new(&self.drawing, &self.frames, &format!("{}, scene {}", info.model, info.name))
+        Film::new(&self.drawing, &self.frames, &format!("{}, scene {}{}", info.model, info.name, self.told.title))
     }
 
     /// Names, units and values of the parameters.
@@ -108,9 +166,9 @@ impl<'r> Animation<'r> {
         let points = self.drawing.elements.iter().filter(|(_, element)| matches!(element.kind, "point" | "hinge"));
         let points = points.map(|(i, element)| json!([element.name, index(&self.drawing.elements.point(i, 0))]));
         let points: Vec<Value> = points.take(MOST_ARROWS).collect();
-        let events = self.run.events().iter().map(|event| json!([event.event.name, event.state.t]));
         json!({
-            "t": self.run.samples().map(|sample| sample.t).collect::<Vec<_>>(),
+            "t": self.frames.iter().map(|frame| frame.t).collect::<Vec<_>>(),
+            "repeats": self.told.repeats,
             "scale": scale,
             "bodies": info.drawn_bodies(),
             "poses": poses,
@@ -118,42 +176,51 @@ impl<'r> Animation<'r> {
             "parts": parts,
             "points": points,
             "arrows": arrows,
-            "plots": self.plots(),
-            "events": events.collect::<Vec<_>>(),
+            "plots": self.plots.iter().map(Plot::json).collect::<Vec<_>>(),
+            "events": self.events,
         })
     }
+}
 
-    /// Curves by unit: energies, then outputs.
-    fn plots(&self) -> Vec<Value> {
-        let info = self.info();
-        let curve = |name: &str, value: &dyn Fn(&Sample<'_>) -> f64| {
-            let values: Vec<f64> = self.run.samples().map(|sample| value(&sample)).collect();
+impl Plot {
+    fn json(&self) -> Value {
+        let Self { title, unit, curves } = self;
+        let curves = curves.iter().map(|(name, values)| {
             let digits = digits_of(values.iter());
-            let values: Vec<f64> = values.into_iter().map(|x| round(x, digits)).collect();
+            let values: Vec<f64> = values.iter().map(|x| round(*x, digits)).collect();
             json!({ "name": name, "values": values })
-        };
-        let mut energies = vec![curve("kinetic", &|sample| sample.energy.kinetic)];
-        if self.run.samples().any(|sample| sample.energy.potential != 0.0) {
-            energies.push(curve("potential", &|sample| sample.energy.potential));
-        }
-        if info.n_effects() > 0 {
-            energies.push(curve("work", &|sample| sample.energy.work));
-        }
-        let mut plots = vec![json!({ "title": "energy", "unit": "J", "curves": energies })];
-        for (i, output) in info.outputs.iter().enumerate().take(MOST_PLOTS) {
-            let curve = curve(&output.name, &|sample| sample.outputs[i]);
-            plots.push(json!({ "title": output.name, "unit": output.unit, "curves": [curve] }));
-        }
-        plots
+        });
+        json!({ "title": title, "unit": unit, "curves": curves.collect::<Vec<_>>() })
     }
+}
 
-    /// The method and how it ended, in words.
-    pub(super) fn method(&self) -> String {
-        let name = self.method.name();
-        match self.method.step_s() {
-            Some(step_s) => format!("{name}, steps of {step_s} s"),
-            None => format!("{name}, tolerance {:e}", self.method.setting()),
-        }
+/// Curves by unit: energies, then outputs.
+fn plots(run: &Run) -> Vec<Plot> {
+    let info = run.info();
+    let curve = |name: &str, value: &dyn Fn(&Sample<'_>) -> f64| {
+        (name.to_owned(), run.samples().map(|sample| value(&sample)).collect())
+    };
+    let mut energies = vec![curve("kinetic", &|sample| sample.energy.kinetic)];
+    if run.samples().any(|sample| sample.energy.potential != 0.0) {
+        energies.push(curve("potential", &|sample| sample.energy.potential));
+    }
+    if info.n_effects() > 0 {
+        energies.push(curve("work", &|sample| sample.energy.work));
+    }
+    let mut plots = vec![Plot { title: "energy".to_owned(), unit: "J", curves: energies }];
+    for (i, output) in info.outputs.iter().enumerate().take(MOST_PLOTS) {
+        let curves = vec![curve(&output.name, &|sample| sample.outputs[i])];
+        plots.push(Plot { title: output.name.to_string(), unit: output.unit, curves });
+    }
+    plots
+}
+
+/// A method in words.
+fn told(method: Method) -> String {
+    let name = method.name();
+    match method.step_s() {
+        Some(step_s) => format!("{name}, steps of {step_s} s"),
+        None => format!("{name}, tolerance {:e}", method.setting()),
     }
 }
 

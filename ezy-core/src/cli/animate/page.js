@@ -356,7 +356,7 @@
     const step = Math.min(0.1, (at - before) / 1000) * $("speed").value;
     before = at;
     show(now + step);
-    if (now >= end) pause(); else requestAnimationFrame(tick);
+    if (now < end) requestAnimationFrame(tick); else if (data.repeats) { show(start); requestAnimationFrame(tick); } else pause();
   }
   function play() {
     if (span <= 0) return;

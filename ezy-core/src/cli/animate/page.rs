@@ -4,7 +4,7 @@ use crate::report::drawing::STYLE;
 use crate::report::page::{escape, prose};
 use crate::scalar::legible;
 
-use super::data::Animation;
+use super::data::{Animation, Told};
 
 const PAGE: &str = include_str!("page.html");
 const LOOKS: &str = include_str!("page.css");
@@ -14,10 +14,10 @@ const SCRIPT: &str = include_str!("page.js");
 const MARGIN: f64 = 60.0;
 
 /// The whole page.
-pub(super) fn page(of: &Animation<'_>) -> String {
+pub(super) fn page(of: &Animation) -> String {
     let info = of.info();
     let parts = of.drawing.parts.iter().map(|part| {
-        let (class, title, transform) = (&part.class, &part.title, of.drawing.transform(part, &of.start));
+        let (class, title, transform) = (&part.class, &part.title, of.drawing.transform(part, of.start()));
         format!(
             "<g class=\"part {class}\" transform=\"{transform}\"><title>{}</title>{}</g>\n",
             escape(title),
@@ -31,10 +31,11 @@ pub(super) fn page(of: &Animation<'_>) -> String {
             cells[0], cells[1], cells[2], cells[3]
         )
     });
-    let outcome = &of.run.outcome;
-    let stopped = match outcome.reached_end() {
-        true => String::new(),
-        false => format!("<p role=\"alert\" class=\"stopped\">The run {}.</p>", escape(&outcome.to_string())),
+    let Told { title, note, is_warning, origin, .. } = of.told();
+    let note = match (&**note, is_warning) {
+        ("", _) => String::new(),
+        (note, true) => format!("<p role=\"alert\" class=\"stopped\">{}</p>", escape(note)),
+        (note, false) => format!("<p class=\"note\">{}</p>", escape(note)),
     };
     // `</` would end the script
     let data = of.json().to_string().replace("</", "<\\/");
@@ -43,11 +44,10 @@ pub(super) fn page(of: &Animation<'_>) -> String {
     let view_box = format!("{:.0} {:.0} {width:.0} {height:.0}", x - MARGIN, y - MARGIN);
     let values = [
         ("MODEL", escape(info.model)),
-        ("SCENE", escape(info.name)),
+        ("SCENE", escape(&format!("{}{title}", info.name))),
         ("DOCUMENTATION", prose(info.documentation)),
-        ("STOPPED", stopped),
-        ("METHOD", escape(&of.method())),
-        ("OUTCOME", escape(&outcome.to_string())),
+        ("NOTE", note),
+        ("ORIGIN", escape(origin)),
         ("PARAMETERS", parameters.collect()),
         ("VIEWBOX", view_box),
         ("PARTS", parts.collect()),

@@ -113,7 +113,9 @@ impl BifurcationDiagram {
         range: [f64; 2],
         step: f64,
     ) -> Result<Self, AnalysisError> {
-        let (motion, varied) = first_motion(system, start, hold, name, range)?;
+        // what varies keeps its value at the first point alone
+        let hold: Vec<&str> = hold.iter().copied().filter(|held| *held != name).collect();
+        let (motion, varied) = first_motion(system, start, &hold, name, range)?;
         let moves = motion.state.v.iter().any(|v| *v != 0.0);
         let mut equations = SteadyEquations::new(system, moves)?;
         let varied = match varied {
@@ -124,7 +126,7 @@ impl BifurcationDiagram {
                 place.map(Varied::Unknown).ok_or_else(|| cannot_vary(&equations, name))?
             }
         };
-        let held = held(&equations, hold)?;
+        let held = held(&equations, &hold)?;
         let (mut curve, place) = Curve::new(&mut equations, &motion, varied, &held, step)?;
         let Some(first) = curve.first(place)? else { return Err(cannot_vary(curve.equations, name)) };
         let mut explorer = Explorer { curve, range, meetings: Vec::new(), branches: Vec::new() };

@@ -240,3 +240,26 @@ fn invariant_what_is_fixed_does_not_vary() {
     let unknown = of(&mut system, "rod.z");
     assert!(matches!(&unknown, AnalysisError::Unknown { name, .. } if name == "rod.z"), "{unknown}");
 }
+
+model! {
+    /// A block that nothing drives or brakes.
+    model Gliding {
+        body block { mass: 1, inertia: 1 }
+        start moving { block at (0, 0) angle 0 velocity (1, 0) rate 0; }
+        scene glides { start moving; until 1 s; }
+    }
+}
+
+/// A speed that varies may be named among what is held: any speed is steady.
+#[test]
+fn invariant_what_varies_is_not_held() {
+    let scene = gliding::Glides::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    for hold in [&[][..], &["block.vx"]] {
+        let diagram = BifurcationDiagram::of(&mut system, &start, hold, "block.vx", [1.0, 2.0], 0.1).unwrap();
+        let points = &diagram.branches[0].points;
+        assert!(points.len() > 10, "{}", points.len());
+        assert!(points.iter().all(|point| (point.motion.state.v[0] - point.value).abs() <= KEPT), "{points:?}");
+    }
+}

@@ -15,10 +15,10 @@ pub use crate::model::series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
 pub use crate::model::with_derivatives::EquationsWithDerivatives;
 pub use crate::model::{
     Abbreviation, BodyArray, BodyState, CoordinateInfo, CountInfo, Derived, Direction, EffectInfo, ElementInfo,
-    EliminationStep, Equation, Equations, EventInfo, EventKind, Formula, InputInfo, JacobianPlaces, List, LoadKind,
-    LocalVector, ModelInfo, Name, NamedInputs, NamedScene, NoInputs, NoOutputs, Operations, OutputArray, OutputInfo,
-    ParameterInfo, PointInfo, RowInfo, Scene, SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start, StateInfo,
-    StickSlipInfo, StopInfo, SwitchInfo, Vector,
+    EliminationStep, Equation, Equations, EventInfo, EventKind, ForceElement, Formula, InputInfo, JacobianPlaces, List,
+    LoadKind, LocalVector, ModelInfo, Name, NamedInputs, NamedScene, NoInputs, NoOutputs, Operations, OutputArray,
+    OutputInfo, ParameterInfo, PointInfo, RowInfo, Scene, SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start,
+    StateInfo, StickSlipInfo, StopInfo, SwitchInfo, Vector,
 };
 pub use crate::scalar::Scalar;
 pub use ezy_derive::model as derive_model;

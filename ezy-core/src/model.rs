@@ -14,6 +14,7 @@ mod derived;
 mod element;
 pub(crate) mod equations;
 mod event;
+mod force_element;
 pub(crate) mod in_lanes;
 mod member;
 mod named;
@@ -33,6 +34,7 @@ pub use element::{ElementInfo, LoadKind, LocalVector};
 pub use equations::Equations;
 pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind, StickSlipInfo, StopInfo};
+pub use force_element::ForceElement;
 #[cfg(feature = "sweep")]
 pub(crate) use in_lanes::N_LANES;
 pub(crate) use in_lanes::{Eight, EquationsInLanes};

@@ -4,9 +4,11 @@ use super::curve::{Curve, Node, Place, Varied};
 use super::curve_meetings::Between;
 use super::error::AnalysisError;
 use super::locus::{Instability, Locus};
+use super::newton::held;
+use super::one_sided;
 use super::spectrum::Spectrum;
 use super::steady_equations::{SteadyEquations, place_parameters};
-use super::steady_motion::{SteadyMotion, held};
+use super::steady_motion::SteadyMotion;
 use super::tolerances::continuation::{ASIDE, MAX_BRANCHES, MAX_POINTS, SAME, SHORTEST, TURN};
 use crate::dynamics::{Gradients, System};
 use crate::model::{SceneRef, Start};
@@ -71,6 +73,8 @@ pub enum BranchEnd {
     BranchPoint,
     /// The equations have no solution next to it: a position that cannot be passed, or a law that is not smooth.
     Lost,
+    /// A stop is met, or would have to pull, or a skate would have to hold more than its limit: other rows hold beyond.
+    Switch,
     /// It goes on; it has too many points.
     TooLong,
 }
@@ -116,8 +120,8 @@ impl BifurcationDiagram {
         // what varies keeps its value at the first point alone
         let hold: Vec<&str> = hold.iter().copied().filter(|held| *held != name).collect();
         let (motion, varied) = first_motion(system, start, &hold, name, range)?;
-        let moves = motion.state.v.iter().any(|v| *v != 0.0);
-        let mut equations = SteadyEquations::new(system, moves)?;
+        let pushing = one_sided::pushing(system.info().stop, &motion);
+        let mut equations = SteadyEquations::new(system, &motion.state.v)?;
         let varied = match varied {
             Named::Parameter(i) => Varied::Parameter(i),
             Named::Input(i) => Varied::Input(i),
@@ -129,7 +133,8 @@ impl BifurcationDiagram {
         let held = held(&equations, &hold)?;
         let (mut curve, place) = Curve::new(&mut equations, &motion, varied, &held, step)?;
         let Some(first) = curve.first(place)? else { return Err(cannot_vary(curve.equations, name)) };
-        let mut explorer = Explorer { curve, range, meetings: Vec::new(), branches: Vec::new() };
+        let mut explorer =
+            Explorer { curve, range, meetings: Vec::new(), branches: Vec::new(), pushing, is_switched: false };
         explorer.branch(&first)?;
         let mut next = 0;
         while next < explorer.meetings.len() && explorer.branches.len() < MAX_BRANCHES {
@@ -199,6 +204,10 @@ struct Explorer<'e, 's, P: SceneRef> {
     /// Branch points, and whether the branches there are known.
     meetings: Vec<(Node, bool)>,
     branches: Vec<Branch>,
+    /// The end of the stop that pushes at the start.
+    pushing: Option<usize>,
+    /// Whether the last attempt failed because other rows would hold.
+    is_switched: bool,
 }
 
 impl<P: SceneRef> Explorer<'_, '_, P> {
@@ -251,7 +260,7 @@ impl<P: SceneRef> Explorer<'_, '_, P> {
             let Some(step) = self.attempt(&from, share * self.curve.longest(&from))? else {
                 share *= 0.5;
                 if share < SHORTEST {
-                    half.end = BranchEnd::Lost;
+                    half.end = if self.is_switched { BranchEnd::Switch } else { BranchEnd::Lost };
                 }
                 continue;
             };
@@ -289,6 +298,7 @@ impl<P: SceneRef> Explorer<'_, '_, P> {
 
     /// One step; none where it is too long.
     fn attempt(&mut self, from: &Node, length: f64) -> Result<Option<Step>, AnalysisError> {
+        self.is_switched = false;
         let Some(mut to) = self.curve.step(from, length)? else { return Ok(None) };
         if self.curve.cosine(from, &to) < TURN {
             return Ok(None);
@@ -306,6 +316,10 @@ impl<P: SceneRef> Explorer<'_, '_, P> {
             Err(AnalysisError::NotSteady { .. } | AnalysisError::NoEigenvalues { .. }) => return Ok(None),
             point => point?,
         };
+        if !one_sided::is_kept(self.curve.equations.system, self.pushing, &point.motion) {
+            self.is_switched = true;
+            return Ok(None);
+        }
         let mut met = Vec::new();
         match self.curve.meeting(from, &to, length)? {
             Between::Unclear => return Ok(None),

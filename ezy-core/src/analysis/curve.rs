@@ -7,9 +7,11 @@
 use super::Linearization;
 use super::error::AnalysisError;
 use super::position_rows::{bordered, solve};
+use super::row_space::RowSpace;
+use super::scaling::reciprocal;
 use super::spectrum::Spectrum;
 use super::steady_equations::{SteadyEquations, Unknowns};
-use super::steady_motion::{SteadyMotion, reciprocal};
+use super::steady_motion::SteadyMotion;
 use super::tolerances::continuation::{CORRECTIONS, FAR, LAST_CORRECTION, SAME, STRIDE};
 use super::tolerances::search::FREE;
 use crate::dynamics::By;
@@ -189,23 +191,16 @@ impl<'e, 's, P: SceneRef> Curve<'e, 's, P> {
     /// The first point, with the tangent along which the value rises. None where the value cannot change there.
     pub(super) fn first(&mut self, place: Place) -> Result<Option<Node>, AnalysisError> {
         let jacobian = self.at(&place)?.jacobian;
-        let n = self.active.len();
-        let mut square = DMatrix::zeros(jacobian.nrows().max(n), n);
-        square.rows_mut(0, jacobian.nrows()).copy_from(&jacobian);
-        let svd = square.svd(false, true);
-        let Some(v_t) = &svd.v_t else { return Ok(None) };
-        let tolerance = FREE * svd.singular_values.max();
-        let null: Vec<usize> = (0..n).filter(|&i| svd.singular_values[i] <= tolerance).collect();
-        let basis = v_t.select_rows(&null).transpose();
+        let basis = RowSpace::of(&jacobian, FREE).null_space();
         let along = basis.row(self.of_value()).transpose();
         let norm = along.norm();
-        if null.is_empty() || norm <= FREE.sqrt() {
+        if basis.is_empty() || norm <= FREE.sqrt() {
             return Ok(None);
         }
         // the value's own direction in the null space, and what is orthogonal to it there
         let tangent = &basis * along / norm;
         let left = &basis - &tangent * (tangent.transpose() * &basis);
-        let kept = self.to_keep(left, null.len() - 1);
+        let kept = self.to_keep(left, basis.ncols() - 1);
         self.node(place, &tangent, &kept)
     }
 

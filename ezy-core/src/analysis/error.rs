@@ -103,6 +103,31 @@ pub enum AnalysisError {
         /// Time, s.
         t: f64,
     },
+    /// Rest and steady motions are beyond the stop of a scene, or it would have to pull.
+    #[error(
+        "scene `{scene}` has no steady motion near its start: without the stop `{stop}` it would be beyond it, and on an end the stop would have to pull"
+    )]
+    BeyondStop {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Name of the stop.
+        stop: &'static str,
+    },
+    /// A skate would have to hold more than its limit.
+    #[error(
+        "the steady motion near the start of scene `{scene}` takes {force:.6e} N of skate `{skate}`, which holds {limit:.6e} N: it slides; take another \
+         start, or a higher limit"
+    )]
+    Slides {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Name of the skate.
+        skate: &'static str,
+        /// What it would have to hold, N.
+        force: f64,
+        /// Its limit, N.
+        limit: f64,
+    },
     /// No values of the inputs do what a drive does.
     #[error(
         "at t = {t} s no values of the inputs of scene `{scene}` do what `{drive}` does: {left:.3e} of its force are left; \

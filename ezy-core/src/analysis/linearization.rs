@@ -4,6 +4,7 @@ use super::derivatives;
 use super::error::AnalysisError;
 use super::frame::Frame;
 use super::mode::Mode;
+use super::row_space::RowSpace;
 use super::spectrum::Spectrum;
 use super::steady_motion::SteadyMotion;
 use super::tolerances::linear::{INDEPENDENT, STEADY};
@@ -103,11 +104,11 @@ impl Linearization {
     /// [`AnalysisError::NoEigenvalues`].
     ///
     /// # Cost
-    /// A complex factorisation for each eigenvalue.
+    /// n² operations for each eigenvalue, besides a reduction of A to Hessenberg form.
     pub fn modes(&self, spectrum: &Spectrum) -> Result<Vec<Mode>, AnalysisError> {
         let n = [self.info.n_coordinates(), self.info.n_velocities()];
-        let modes = spectrum.eigenvalues.iter().enumerate().map(|(i, s)| Mode::of(&self.a, &self.basis, n, *s, i));
-        modes.collect::<Option<Vec<Mode>>>().ok_or_else(|| self.no_eigenvalues())
+        let modes = Mode::all(&self.a, &self.basis, n, spectrum.eigenvalues.iter().copied());
+        modes.ok_or_else(|| self.no_eigenvalues())
     }
 
     fn no_eigenvalues(&self) -> AnalysisError {
@@ -178,18 +179,11 @@ pub(super) fn rates<P: SceneRef>(
 
 /// An orthonormal basis of what all rows leave.
 pub(super) fn null_space(mut rows: DMatrix<f64>) -> DMatrix<f64> {
-    let n = rows.ncols();
     for mut row in rows.row_iter_mut() {
         let norm = row.norm();
         if norm > 0.0 {
             row /= norm;
         }
     }
-    // square, so that all right singular vectors are there
-    let mut square = DMatrix::zeros(rows.nrows().max(n), n);
-    square.rows_mut(0, rows.nrows()).copy_from(&rows);
-    let svd = square.svd(false, true);
-    let (largest, v_t) = (svd.singular_values.max(), svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n)));
-    let left: Vec<usize> = (0..n).filter(|&i| svd.singular_values[i] <= INDEPENDENT * largest).collect();
-    v_t.select_rows(&left).transpose()
+    RowSpace::of(&rows, INDEPENDENT).null_space()
 }

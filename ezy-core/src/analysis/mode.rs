@@ -1,6 +1,7 @@
 //! Modes: the motions exp(s t) that small deviations are made of.
 
-use super::tolerances::mode::{ALIKE, ITERATIONS, SHIFTS, VISIBLE};
+use super::eigenvectors::{Eigenvectors, real_times};
+use super::tolerances::mode::{ALIKE, VISIBLE};
 use nalgebra::{Complex, DMatrix, DVector};
 
 /// An eigenvalue with its eigenvector: the deviation Re(`deviation` exp(s t)).
@@ -33,17 +34,25 @@ impl Mode {
         std::f64::consts::LN_2 / self.eigenvalue.re
     }
 
-    /// Of an eigenvalue of `a`; `i` tells equal eigenvalues apart. None where no equations can be solved with it. `n_q`, `n_v`: numbers of
-    /// coordinates and velocities among the rows of `basis`.
-    pub(super) fn of(
+    /// Those of the eigenvalues of A, in their order; none where no equations can be solved with one. `n_q`, `n_v`: numbers of coordinates
+    /// and velocities among the rows of `basis`.
+    pub(super) fn all(
         a: &DMatrix<f64>,
+        basis: &DMatrix<f64>,
+        n: [usize; 2],
+        eigenvalues: impl Iterator<Item = Complex<f64>>,
+    ) -> Option<Vec<Self>> {
+        let vectors = Eigenvectors::of(a);
+        eigenvalues.enumerate().map(|(i, s)| Self::of(vectors.of_eigenvalue(s, i)?, basis, n, s)).collect()
+    }
+
+    fn of(
+        mut vector: DVector<Complex<f64>>,
         basis: &DMatrix<f64>,
         [n_q, n_v]: [usize; 2],
         s: Complex<f64>,
-        i: usize,
     ) -> Option<Self> {
-        let mut vector = eigenvector(a, s, i)?;
-        let mut deviation = basis.map(|x| Complex::new(x, 0.0)) * &vector;
+        let mut deviation = real_times(basis, &vector);
         let is_shown = |place: usize| !(n_q..n_q + n_v).contains(&place);
         let sizes: Vec<f64> =
             deviation.iter().enumerate().map(|(place, x)| if is_shown(place) { x.norm() } else { 0.0 }).collect();
@@ -57,27 +66,4 @@ impl Mode {
         deviation /= unit;
         Some(Self { eigenvalue: s, vector, deviation, largest })
     }
-}
-
-/// A unit vector x with A x = s x, by inverse iteration: (A − σ) x⁺ = x with σ beside s by rounding. The first x depends on `i`, so that
-/// equal eigenvalues with several eigenvectors get different ones.
-///
-/// # Source
-/// Golub, Van Loan, Matrix Computations, section 7.6.1.
-fn eigenvector(a: &DMatrix<f64>, s: Complex<f64>, i: usize) -> Option<DVector<Complex<f64>>> {
-    let n = a.nrows();
-    let size = a.norm();
-    let complex = a.map(|x| Complex::new(x, 0.0));
-    let first = DVector::from_fn(n, |row, _| Complex::new((1.0 + (row + n * i) as f64).sin(), 0.0));
-    SHIFTS.into_iter().find_map(|shift| {
-        let shifted = &complex - DMatrix::identity(n, n) * (s + shift * size);
-        let factors = shifted.lu();
-        let mut x = first.clone();
-        for _ in 0..ITERATIONS {
-            x = factors.solve(&x)?;
-            let norm = x.norm();
-            x /= Complex::new(norm, 0.0);
-        }
-        x.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(x)
-    })
 }

@@ -287,9 +287,8 @@ impl<'s, P: SceneRef, E: From<AnalysisError>, F: FnMut(&State, &[f64]) -> Result
         let (trivial_left, rest) = deflated(&monodromy.matrix, &spanned);
         let lost = || AnalysisError::NoEigenvalues { scene };
         let of = [self.map.info.n_coordinates(), self.map.info.n_velocities()];
-        let multipliers = eigenvalues(&rest).ok_or_else(lost)?.into_iter().enumerate();
-        let modes = multipliers.map(|(i, mu)| Mode::of(&monodromy.matrix, &monodromy.basis, of, mu, i));
-        let modes = modes.collect::<Option<Vec<_>>>().ok_or_else(lost)?;
+        let multipliers = eigenvalues(&rest).ok_or_else(lost)?.into_iter();
+        let modes = Mode::all(&monodromy.matrix, &monodromy.basis, of, multipliers).ok_or_else(lost)?;
         let Self { states, period, .. } = self;
         Ok(PeriodicMotion { states, period, monodromy, trivial, trivial_left, modes, change, n_steps })
     }

@@ -1,7 +1,8 @@
 //! The position rows of a scene over some of its coordinates, scaled to one.
 
 use super::error::AnalysisError;
-use super::steady_motion::reciprocal;
+use super::row_space::RowSpace;
+use super::scaling::reciprocal;
 use super::tolerances::continuation::{CORRECTIONS, LAST_CORRECTION, STRIDE};
 use super::tolerances::search::MET;
 use crate::dynamics::System;
@@ -146,15 +147,9 @@ impl<'s, P: SceneRef> PositionRows<'s, P> {
 impl<P: SceneRef> PositionRows<'_, P> {
     /// Directions that the rows leave free at a place, as orthonormal columns.
     pub(super) fn null_space(&self, q: &[f64], independent: f64) -> Result<DMatrix<f64>, AnalysisError> {
-        let n = self.active.len();
         let scene = self.system.info().name;
         let at = self.at(q).ok_or(AnalysisError::NotFinite { scene })?;
-        let mut square = DMatrix::zeros(at.jacobian.nrows().max(n), n);
-        square.rows_mut(0, at.jacobian.nrows()).copy_from(&at.jacobian);
-        let svd = square.svd(false, true);
-        let tolerance = independent * svd.singular_values.max();
-        let null: Vec<usize> = (0..n).filter(|&i| svd.singular_values[i] <= tolerance).collect();
-        Ok(svd.v_t.map_or_else(|| DMatrix::zeros(n, 0), |v_t| v_t.select_rows(&null).transpose()))
+        Ok(RowSpace::of(&at.jacobian, independent).null_space())
     }
 }
 

@@ -1,6 +1,7 @@
 //! All rests of a scene, from many starts.
 
 use super::error::AnalysisError;
+use super::one_sided;
 use super::steady_motion::SteadyMotion;
 use super::tolerances::rests::{SAME, SEED, UNWOUND};
 use crate::dynamics::{State, System};
@@ -56,6 +57,7 @@ impl Rests {
         still.v.fill(0.0);
         still.v_given.fill(false);
         still.v_near.fill(false);
+        one_sided::release(system);
         let first = system.consistent_start(&still)?;
         let extent = info.coordinates.iter().zip(&first.q).filter(|(info, _)| info.is_length());
         let length = extent.fold(system.length(), |length, (_, x)| length.max(x.abs()));
@@ -116,14 +118,20 @@ impl<P: SceneRef> Collection<'_, P> {
 
     /// Takes in the rest that a start leads to; whether there is one.
     fn take(&mut self, start: &Start) -> Result<bool, AnalysisError> {
+        one_sided::release(self.system);
         let Ok(assembled) = self.system.consistent_start(start) else { return Ok(false) };
         let force = self.force_at(&assembled.q, &assembled);
         self.force = force.iter().fold(self.force, |largest, x| largest.max(x.abs()));
-        let motion = match SteadyMotion::near(self.system, start, self.hold) {
+        let motion = match one_sided::near(self.system, start, self.hold, f64::INFINITY) {
             Ok(motion) if is_at_rest(&motion) => self.settled(motion),
-            Ok(_) | Err(AnalysisError::Start(_) | AnalysisError::Motion(_) | AnalysisError::NotFound { .. }) => {
-                return Ok(false);
-            }
+            Ok(_)
+            | Err(
+                AnalysisError::Start(_)
+                | AnalysisError::Motion(_)
+                | AnalysisError::NotFound { .. }
+                | AnalysisError::BeyondStop { .. }
+                | AnalysisError::Slides { .. },
+            ) => return Ok(false),
             Err(error) => return Err(error),
         };
         let mut rests = std::mem::take(&mut self.rests);
@@ -159,7 +167,7 @@ impl<P: SceneRef> Collection<'_, P> {
             }
         }
         let held: Vec<&str> = self.hold.iter().copied().chain(free.iter().map(|name| &**name)).collect();
-        match SteadyMotion::near(self.system, &start, &held) {
+        match one_sided::near(self.system, &start, &held, f64::INFINITY) {
             Ok(other) if is_at_rest(&other) => SteadyMotion { free: free.clone(), ..other },
             _ => motion,
         }

@@ -60,6 +60,8 @@ pub(super) struct SteadyEquations<'s, P: SceneRef> {
     gradients: Gradients<P>,
     /// Whether a frame may travel and turn.
     pub moves: bool,
+    /// The largest velocity of the start, in whose units velocities are nothing but rounding.
+    speed: f64,
     /// Coordinates whose velocities are those of the frame: not those that nothing depends on, such as the angle of a wheel.
     carried: Vec<usize>,
 }
@@ -76,12 +78,14 @@ pub(super) fn place_parameters<P: SceneRef>(system: &mut System<P>, parameters: 
 const N_OF_FRAME: usize = 3;
 
 impl<'s, P: SceneRef> SteadyEquations<'s, P> {
-    pub(super) fn new(system: &'s mut System<P>, moves: bool) -> Result<Self, AnalysisError> {
+    /// Of a motion that begins with velocities `v`; at rest there is no frame that moves.
+    pub(super) fn new(system: &'s mut System<P>, v: &[f64]) -> Result<Self, AnalysisError> {
         let info = Arc::clone(system.info());
         let gradients = Gradients::new(system)?;
         let is_read = |i: usize| info.feedback.is_none_or(|feedback| feedback.binary_search(&i).is_ok());
         let carried = (0..info.n_coordinates()).filter(|&i| !info.coordinates[i].is_angle() || is_read(i)).collect();
-        Ok(Self { system, info, gradients, moves, carried })
+        let speed = v.iter().fold(0.0, |speed: f64, v| speed.max(v.abs()));
+        Ok(Self { system, info, gradients, moves: speed > 0.0, speed, carried })
     }
 
     /// The parameters, in the order of the scene, and behind them which rows are switched on.
@@ -128,7 +132,7 @@ impl<'s, P: SceneRef> SteadyEquations<'s, P> {
 
     /// A share of the sizes of the unknowns that are seen: of coordinates, states and velocities; zero for the others.
     pub(super) fn strides(&self, point: &Unknowns, share: f64) -> Vec<f64> {
-        let (sizes, columns) = (self.sizes(point), self.columns());
+        let (sizes, columns) = (self.sizes(point, 0.0), self.columns());
         let is_seen = |i: usize| i < columns.multipliers || (columns.velocities..columns.frame).contains(&i);
         let largest = |of: std::ops::Range<usize>| sizes[of].iter().fold(0.0, |largest: f64, x| largest.max(*x));
         let speed = largest(columns.velocities..columns.frame);
@@ -140,6 +144,16 @@ impl<'s, P: SceneRef> SteadyEquations<'s, P> {
             _ => speed,
         };
         (0..columns.end).map(|i| if is_seen(i) { share * size(i) } else { 0.0 }).collect()
+    }
+
+    /// The largest part of a step, in turns of 1 rad, of sizes of the mechanism and of its speed.
+    pub(super) fn reach(&self, point: &Unknowns, step: &DVector<f64>) -> f64 {
+        let strides = self.strides(point, 1.0);
+        let seen = step.iter().zip(&strides).filter(|(_, stride)| **stride > 0.0);
+        seen.fold(
+            0.0,
+            |reach: f64, (step, stride)| if step.is_finite() { reach.max(step.abs() / stride) } else { f64::INFINITY },
+        )
     }
 
     /// The unknowns a share of a step on.
@@ -165,6 +179,15 @@ impl<'s, P: SceneRef> SteadyEquations<'s, P> {
         DVector::from_vec(all)
     }
 
+    /// The point without what rounding leaves of velocities where it came to rest.
+    pub(super) fn settled(&self, mut point: Unknowns) -> Unknowns {
+        if point.state.v.iter().all(|v| v.abs() <= MET * self.speed) {
+            point.state.v.fill(0.0);
+            point.frame = Frame::default();
+        }
+        point
+    }
+
     /// Whether a step changes coordinates by no more than a share of the largest one.
     pub(super) fn is_small(&self, point: &Unknowns, step: &DVector<f64>, share: f64) -> bool {
         let size = point.state.q.iter().chain(&point.state.v).fold(1.0, |size: f64, x| size.max(x.abs()));
@@ -172,10 +195,10 @@ impl<'s, P: SceneRef> SteadyEquations<'s, P> {
     }
 
     /// Sizes of the unknowns, whose rounding is felt: a coordinate that is zero is as exact as the others are, and so is a frame that does not turn.
-    fn sizes(&self, point: &Unknowns) -> Vec<f64> {
+    fn sizes(&self, point: &Unknowns, least_speed: f64) -> Vec<f64> {
         let Unknowns { state: State { q, v, z, .. }, frame, multipliers } = point;
         let largest = |x: &[f64]| x.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        let [extent, speed] = [q, v].map(|x| largest(x));
+        let [extent, speed] = [largest(q), largest(v).max(least_speed)];
         let lengths = self.info.coordinates.iter().zip(q).filter(|(info, _)| info.is_length());
         // rounding beside the origin is no size: the longest lever is one; where there is none, a metre
         let lever = Some(self.system.length()).filter(|lever| *lever > 0.0).unwrap_or(1.0);
@@ -185,7 +208,7 @@ impl<'s, P: SceneRef> SteadyEquations<'s, P> {
         sizes.extend(z.iter().map(|x| x.abs().max(NO_STATE)));
         sizes.extend(multipliers.iter().map(|x| x.abs()));
         if self.moves {
-            sizes.extend(v.iter().map(|v| v.abs()));
+            sizes.extend(v.iter().map(|v| v.abs().max(least_speed)));
             let turn = if extent > 0.0 { speed / extent } else { speed };
             sizes.extend([speed, speed, frame.omega.abs().max(turn)]);
         }
@@ -305,7 +328,7 @@ impl<'s, P: SceneRef> SteadyEquations<'s, P> {
     /// The largest term of the equations of each kind.
     fn put_terms(&self, point: &Unknowns, jacobian: &DMatrix<f64>, terms: &mut DVector<f64>) {
         let rows = self.rows();
-        let (sizes, mass) = (self.sizes(point), self.system.mass_matrix());
+        let (sizes, mass) = (self.sizes(point, self.speed), self.system.mass_matrix());
         (0..mass.len()).for_each(|i| terms[i] = f64::max(terms[i], STILL * mass[i] * sizes[i]));
         for (terms, row) in terms.iter_mut().zip(jacobian.row_iter()) {
             *terms = row.iter().zip(&sizes).fold(*terms, |terms, (slope, size)| terms.max((slope * size).abs()));

@@ -1,5 +1,8 @@
 //! Against closed forms.
 
+mod edges;
+mod one_sided;
+mod row_space;
 mod swing;
 mod transfer;
 

@@ -9,8 +9,13 @@ pub(crate) mod search {
 
     /// Times that a step is halved at most: a millionth of a millionth of it is none.
     /// Unit: halvings.
-    /// Test: `invariant_motion_that_is_not_steady_names_what_is_left`.
+    /// Test: `analytic_rod_hangs_and_stands`.
     pub(crate) const MAX_HALVINGS: usize = 40;
+
+    /// Longest step, in turns of 1 rad and sizes of the mechanism: a longer one leads away from the nearest rest.
+    /// Unit: 1.
+    /// Test: `analytic_pendulum_sinks_to_its_nearest_rest`.
+    pub(crate) const LONGEST: f64 = 1.0;
 
     /// Singular values below this share of the largest leave a direction free: a thousand times what rounding leaves of those that are
     /// zero, far below those of an equation that is scaled to one.
@@ -20,7 +25,7 @@ pub(crate) mod search {
 
     /// Steps that change positions by less, as a share of the largest one, change nothing but rounding.
     /// Unit: 1.
-    /// Test: `analytic_rod_hangs_and_stands`.
+    /// Test: `analytic_ezyroller_runs_straight`.
     pub(crate) const LAST: f64 = 1e-13;
 
     /// Where there are no forces, those that move a mass by less of the mechanism's size are rounding: a [`MET`]th of it moves nothing by more than
@@ -38,13 +43,73 @@ pub(crate) mod search {
     /// Where the turn of a frame moves no part of the mechanism by more than this share of the speed, the motion is straight: ten times what is
     /// left of velocities where steps end.
     /// Unit: 1.
-    /// Test: `analytic_straight_motion_has_a_speed_and_a_circle_a_radius`.
+    /// Test: `analytic_slow_turn_is_straight`.
     pub(crate) const STRAIGHT: f64 = 10.0 * MET;
 
     /// What may be left of an equation where steps end, as a share of the largest term of its kind.
     /// Unit: 1.
-    /// Test: `invariant_motion_that_is_not_steady_names_what_is_left`.
+    /// Test: `analytic_rod_hangs_and_stands`.
     pub(crate) const MET: f64 = 1e-10;
+}
+
+/// The way to a rest that is far.
+pub(crate) mod relaxation {
+    /// Steps at most: a chain of forty rods takes a hundred.
+    /// Unit: steps.
+    /// Test: `analytic_hanging_chain_of_forty_rods_swings_as_its_energies_say`.
+    pub(crate) const MAX_STEPS: usize = 1000;
+
+    /// Longest step: the largest turn, rad, and the largest displacement as a share of the mechanism's size.
+    /// Unit: 1.
+    /// Test: `analytic_hanging_chain_of_forty_rods_swings_as_its_energies_say`.
+    pub(crate) const STRIDE: f64 = 0.3;
+
+    /// Steps below this share of the longest one lead to where Newton's steps go on.
+    /// Unit: 1.
+    /// Test: `analytic_hanging_chain_of_forty_rods_swings_as_its_energies_say`.
+    pub(crate) const NEAR: f64 = 1e-3;
+
+    /// Least and most by which what resists changes from step to step.
+    /// Unit: 1.
+    /// Test: `analytic_hanging_chain_of_forty_rods_swings_as_its_energies_say`.
+    pub(crate) const FURTHER: f64 = 0.2;
+    /// Unit: 1.
+    /// Test: `analytic_hanging_chain_of_forty_rods_swings_as_its_energies_say`.
+    pub(crate) const SHORTER: f64 = 10.0;
+}
+
+/// What rows hold and leave free.
+pub(crate) mod row_space {
+    /// From more columns on, sparse factors are faster than singular values, which take n³.
+    /// Unit: columns.
+    /// Test: `cross_sparse_rows_leave_the_same_free`.
+    pub(crate) const LARGEST_DENSE: usize = 100;
+
+    /// ε: rows of length one keep four digits of the pivots of those that repeat others.
+    /// Unit: 1.
+    /// Test: `cross_sparse_rows_leave_the_same_free`.
+    pub(crate) const DAMPING: f64 = 1e-12;
+
+    /// Passes: they leave 1e-3 of a direction of σ = √ε, which Newton steps take away.
+    /// Unit: passes.
+    /// Test: `cross_sparse_rows_leave_the_same_free`.
+    pub(crate) const PASSES: usize = 10;
+
+    /// Random directions of length one, of which less is left, are no new ones: a thousandth of a thousandth of what is left of one among a
+    /// thousand, far above what rounding leaves.
+    /// Unit: 1.
+    /// Test: `cross_sparse_rows_leave_the_same_free`.
+    pub(crate) const LEFT: f64 = 1e-6;
+
+    /// More directions than there are columns without rows: place and heading, and some.
+    /// Unit: directions.
+    /// Test: `cross_sparse_rows_leave_the_same_free`.
+    pub(crate) const SPARE: usize = 8;
+
+    /// First state of the generator of directions: any number serves, so long as it stays.
+    /// Unit: 1.
+    /// Test: `cross_sparse_rows_leave_the_same_free`.
+    pub(crate) const SEED: u64 = 0xF4EE;
 }
 
 /// All rests from many starts.
@@ -58,7 +123,7 @@ pub(crate) mod rests {
 
     /// Forces at the same place after whole turns differ by less, as a share of the largest of all starts, unless a spring was wound.
     /// Unit: 1.
-    /// Test: `analytic_wound_spring_is_another_rest`.
+    /// Test: `analytic_weak_spring_is_wound_or_not`.
     pub(crate) const UNWOUND: f64 = MET;
 
     /// Rests at less distance are one, in rad and as a share of the mechanism's length: the root of [`MET`], because where two rests merge the
@@ -173,7 +238,7 @@ pub(crate) mod workspace {
 
     /// A value that differs by less, as a share of the range, is an end of it: far above rounding, far below the distance of values.
     /// Unit: 1.
-    /// Test: `analytic_crank_of_a_four_bar_turns_as_far_as_the_law_of_cosines_says`.
+    /// Test: `analytic_parallelogram_has_change_points`.
     pub(crate) const END: f64 = 1e-12;
 }
 
@@ -181,7 +246,7 @@ pub(crate) mod workspace {
 pub(crate) mod linear {
     /// Singular values of rows that are scaled to one, as a share of the largest: below it a row repeats others.
     /// Unit: 1.
-    /// Test: `analytic_roller_keeps_to_a_circle_that_is_held`.
+    /// Test: `analytic_rows_at_a_small_angle_are_told_from_equal_ones`.
     pub(crate) const INDEPENDENT: f64 = 1e-10;
 
     /// What may leave the manifold of the constraints, as a share of the rates.
@@ -194,28 +259,28 @@ pub(crate) mod linear {
 pub(crate) mod periodic {
     /// Newton steps at most: from a start that is near, six suffice.
     /// Unit: steps.
-    /// Test: `invariant_motion_without_return_names_what_does_not`.
+    /// Test: `analytic_pendulum_has_its_period`.
     pub(crate) const MAX_STEPS: usize = 40;
 
     /// Times that a step is halved at most; each costs a run.
     /// Unit: halvings.
-    /// Test: `invariant_motion_without_return_names_what_does_not`.
+    /// Test: `analytic_pendulum_has_its_period`.
     pub(crate) const MAX_HALVINGS: usize = 10;
 
     /// What may be left of a return, as a share of the largest value of its kind: a hundred times what runs at a tolerance of 1e-12 leave.
     /// Unit: 1.
-    /// Test: `invariant_motion_without_return_names_what_does_not`.
+    /// Test: `analytic_pendulum_has_its_period`.
     pub(crate) const RETURNS: f64 = 1e-9;
 
     /// From here on a step changes nothing but what runs leave, as a share of the largest value of its kind.
     /// Unit: 1.
-    /// Test: `analytic_pendulum_has_its_period`.
+    /// Test: `analytic_driven_oscillator_has_one_motion`.
     pub(crate) const LAST: f64 = 1e-12;
 
     /// Singular values of M − 1 below this leave a direction free, such as the amplitude where energy is kept: those of such directions are as
     /// large as what does not yet return, which they may then not be divided by.
     /// Unit: 1.
-    /// Test: `analytic_pendulum_has_its_period`.
+    /// Test: `invariant_motion_without_return_names_what_does_not`.
     pub(crate) const FREE: f64 = 1e-5;
 
     /// What equations may change by where a rigid motion, a time or a whole turn is said to change nothing, as a share of their largest entry:
@@ -255,17 +320,17 @@ pub(crate) mod spectrum {
     /// Singular values below this share of the largest entry are those of zero: rounding of the entries leaves 1e-15 of it, and a chain of n
     /// zeros n times that.
     /// Unit: 1.
-    /// Test: `analytic_chain_of_zeros_is_one_block`.
+    /// Test: `analytic_eigenvalue_beside_zero_is_told_from_zero`.
     pub(crate) const ZERO: f64 = 1e-11;
 
     /// Real parts below this share of the largest eigenvalue say nothing: double eigenvalues split by the root of rounding.
     /// Unit: 1.
-    /// Test: `analytic_rod_without_friction_is_neutral`.
+    /// Test: `analytic_real_part_beside_zero_says_nothing`.
     pub(crate) const ROUNDING: f64 = 1e-8;
 
     /// Iterations for the Schur form at most: some three an eigenvalue suffice.
     /// Unit: iterations.
-    /// Test: `analytic_chain_of_zeros_is_one_block`.
+    /// Test: `analytic_two_hundred_eigenvalues_converge`.
     pub(crate) const MAX_ITERATIONS: usize = 10_000;
 }
 
@@ -278,12 +343,12 @@ pub(crate) mod inverse {
 
     /// What may be left of the force of a drive, as a share of the largest term.
     /// Unit: 1.
-    /// Test: `analytic_inputs_that_are_not_enough_name_the_drive`.
+    /// Test: `analytic_rod_on_a_sine_takes_its_torque`.
     pub(crate) const BALANCED: f64 = 1e-12;
 
     /// Singular values of the effects of inputs on drives, as a share of the largest: below it inputs act alike.
     /// Unit: 1.
-    /// Test: `analytic_inputs_that_act_alike_are_refused`.
+    /// Test: `analytic_inputs_that_act_nearly_alike_are_refused`.
     pub(crate) const INDEPENDENT: f64 = 1e-12;
 
     /// What accelerations with inputs and with drives may differ by, as a share of the largest: what [`BALANCED`] leaves, on a body that is ten
@@ -392,6 +457,6 @@ pub(crate) mod transfer {
 
     /// Half the width of a peak or notch without damping in the frequencies of a Bode plot, as a share of its frequency.
     /// Unit: 1.
-    /// Test: `analytic_phase_is_followed_over_wide_steps`.
+    /// Test: `analytic_frequencies_stand_close_beside_a_pole_without_damping`.
     pub(crate) const NARROW: f64 = 1e-3;
 }

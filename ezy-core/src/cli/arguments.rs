@@ -236,9 +236,9 @@ pub(super) struct CompareArguments {
     pub motion: MotionArguments,
 }
 
-/// Runs a scene and prints what its joints bear, and which power each effect has
+/// Runs a scene and prints what its joints bear, and which power each effect and each force has
 ///
-/// For each joint: the largest reaction, its direction and time, mean and root mean square over time, in N or N*m. For each effect: the largest power that
+/// For each joint: the largest reaction, its direction and time, mean and root mean square over time, in N or N*m. For each effect and each force: the largest power that
 /// it delivers and that it takes, in W, and its work in J; last, works beside the change of kinetic energy. Signs are those of docs/notation.md.
 /// Impulses of stops are left out. The scene is run twice, the second time with samples near the largest values.
 ///

@@ -1,18 +1,16 @@
 //! `equilibrium --vary`: a bifurcation diagram as text, JSON, CSV and figure.
 
-use std::path::Path;
-
 use serde_json::{Value, json};
 
-use super::animate::write;
-use super::drawing;
 use super::equilibrium_text::with_spectrum;
-use super::failure::{Failure, print};
-use super::json::print_json;
-use super::out_path::check_ending;
+use super::failure::Failure;
 use super::root_locus::unit;
+#[cfg(feature = "figures")]
+use super::shown::Drawing;
+use super::shown::{Forms, Shown};
 use super::steady::Request;
 use super::steady_arguments::EquilibriumArguments;
+#[cfg(feature = "figures")]
 use super::steady_text::verdict;
 use super::value::parse_number;
 use super::vary::{Target, Variation, target};
@@ -49,13 +47,7 @@ pub(super) fn print_diagram(
     }
     let columns = columns(&info);
     let of = of.as_ref().map(|of| find_name("column", of, columns.iter().map(|column| &*column.name))).transpose()?;
-    if let Some(out) = out {
-        check_ending(out, "bifurcation diagrams", &["csv"])?;
-    }
-    if let Some(plot) = plot {
-        drawing::check()?;
-        drawing::check_name(plot)?;
-    }
+    let forms = Forms::new("bifurcation diagrams", out.as_deref(), plot.as_deref(), *json)?;
     let values = variation.values.iter().map(|value| parse_number(value)).collect::<Result<Vec<f64>, _>>();
     let values = values.map_err(&wrong)?;
     let [least, most] = [f64::min, f64::max].map(|of| values.iter().copied().reduce(of).unwrap_or_default());
@@ -64,7 +56,7 @@ pub(super) fn print_diagram(
     }
     let step = (most - least) / (values.len() - 1) as f64;
     let diagram = request.diagram(name, [least, most], step)?;
-    let shown = Shown {
+    let drawn = Drawn {
         path: request.path(),
         unit: unit(name, &info),
         of: of.unwrap_or_else(|| widest(&diagram, &columns)),
@@ -72,17 +64,7 @@ pub(super) fn print_diagram(
         info: &info,
         diagram: &diagram,
     };
-    if let Some(out) = out {
-        write(out, shown.csv()?)?;
-    }
-    if let Some(plot) = plot {
-        shown.draw(plot)?;
-    }
-    if *json {
-        return print_json(&shown.json());
-    }
-    let files: String = [out, plot].into_iter().flatten().map(|path| format!("\n{}", path.display())).collect();
-    print(&format!("{}{files}{}", shown.text(), if files.is_empty() { "" } else { "\n" }))
+    forms.show(&drawn)
 }
 
 /// Coordinates, velocities and first-order states.
@@ -113,7 +95,7 @@ fn widest(diagram: &BifurcationDiagram, columns: &[Column]) -> usize {
     largest("rad").or_else(|| largest("rad/s")).or_else(|| largest("")).unwrap_or_default()
 }
 
-struct Shown<'a> {
+struct Drawn<'a> {
     path: String,
     unit: &'a str,
     columns: &'a [Column],
@@ -139,11 +121,12 @@ fn end_word(end: BranchEnd) -> &'static str {
         BranchEnd::Closed => "closes",
         BranchEnd::BranchPoint => "branch point",
         BranchEnd::Lost => "no solution beyond",
+        BranchEnd::Switch => "a stop or a skate changes",
         BranchEnd::TooLong => "goes on",
     }
 }
 
-impl Shown<'_> {
+impl Drawn<'_> {
     fn heading(&self) -> String {
         let name = &self.diagram.name;
         if self.unit.is_empty() { name.clone() } else { format!("{name} [{}]", self.unit) }
@@ -152,7 +135,9 @@ impl Shown<'_> {
     fn shown(&self, point: &BranchPoint) -> f64 {
         values(point).nth(self.of).unwrap_or(f64::NAN)
     }
+}
 
+impl Shown for Drawn<'_> {
     fn text(&self) -> String {
         let Self { path, columns, of, diagram, .. } = self;
         let column = &columns[*of];
@@ -238,16 +223,10 @@ impl Shown<'_> {
         rows.into_inner().map_err(Failure::stopped)
     }
 
-    #[cfg(not(feature = "figures"))]
-    #[allow(clippy::unused_self, reason = "drawn, if at all")]
-    fn draw(&self, _: &Path) -> Result<(), Failure> {
-        drawing::check()
-    }
-
     /// The coordinate over the value: a line for what is stable or neutral, dashes for what is not, rings where something happens.
     #[cfg(feature = "figures")]
-    fn draw(&self, path: &Path) -> Result<(), Failure> {
-        use super::drawing_of_columns::{axis, write};
+    fn drawing(&self) -> Drawing {
+        use super::drawing_of_columns::axis;
         use crate::report::figure::Figure;
 
         let column = &self.columns[self.of];
@@ -277,6 +256,7 @@ impl Shown<'_> {
         let points = self.diagram.branches.iter().flat_map(|branch| &branch.points);
         let (x, y): (Vec<f64>, Vec<f64>) = points.filter(|point| point.bifurcation.is_some()).map(place).unzip();
         let name = if x.is_empty() { "" } else { "bifurcation" };
-        write(&figure.hinges(name, x, y), &title, &format!("{} over {}", column.name, self.diagram.name), path)
+        let alternative = format!("{} over {}", column.name, self.diagram.name);
+        Drawing { figure: figure.hinges(name, x, y), title, alternative }
     }
 }

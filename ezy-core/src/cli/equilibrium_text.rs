@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::steady::N_STARTS;
 use super::steady_text::{heading, motion_json, reactions_text, state_text, verdict, verdict_text, zeros_text};
-use crate::analysis::{Rests, Spectrum, SteadyMotion};
+use crate::analysis::{AnalysisError, Rest, Rests, Spectrum, SteadyMotion};
 use crate::model::SceneInfo;
 use crate::report::table::{Table, fixed};
 
@@ -13,6 +13,9 @@ const SHOWN_DIGITS: usize = 6;
 
 /// Coordinates in the table of all rests.
 const MAX_COLUMNS: usize = 6;
+
+/// The stability of a rest without linear equations.
+const UNKNOWN: &str = "unknown";
 
 /// One steady motion with its reactions.
 pub(super) fn motion_text(info: &SceneInfo, motion: &SteadyMotion, spectrum: &Spectrum) -> String {
@@ -27,7 +30,7 @@ pub(super) fn motion_text(info: &SceneInfo, motion: &SteadyMotion, spectrum: &Sp
 }
 
 /// A line for each rest.
-pub(super) fn rests_text(info: &SceneInfo, rests: &Rests, spectra: &[Spectrum]) -> String {
+pub(super) fn rests_text(info: &SceneInfo, rests: &Rests, spectra: &[Result<Spectrum, AnalysisError>]) -> String {
     let n = rests.found.len();
     let lost = match rests.n_lost {
         0 => String::new(),
@@ -60,15 +63,18 @@ pub(super) fn rests_text(info: &SceneInfo, rests: &Rests, spectra: &[Spectrum]) 
     let mut table = Table::new(names.chain(["stability", "unstable", "free", "starts"].map(str::to_owned)));
     for (rest, spectrum) in rests.found.iter().zip(spectra) {
         let values = shown.iter().map(|i| fixed(rest.motion.state.q[*i], SHOWN_DIGITS));
-        let of_rest = [
-            verdict(&rest.motion, spectrum).to_owned(),
-            spectrum.n_unstable().to_string(),
-            rest.motion.free.len().to_string(),
-            rest.n_starts.to_string(),
-        ];
+        let [stability, n_unstable] = match spectrum {
+            Ok(spectrum) => [verdict(&rest.motion, spectrum).to_owned(), spectrum.n_unstable().to_string()],
+            Err(_) => [UNKNOWN, "-"].map(str::to_owned),
+        };
+        let of_rest = [stability, n_unstable, rest.motion.free.len().to_string(), rest.n_starts.to_string()];
         table.push(values.chain(of_rest));
     }
     text += &format!("\n{table}");
+    let n_unknown = spectra.iter().filter(|spectrum| spectrum.is_err()).count();
+    if let Some(error) = spectra.iter().find_map(|spectrum| spectrum.as_ref().err()) {
+        text += &format!("no linear equations about {n_unknown} of them: {error}\n");
+    }
     if left_out > 0 {
         text += &format!("and {left_out} more coordinates; --json has all\n");
     }
@@ -76,9 +82,16 @@ pub(super) fn rests_text(info: &SceneInfo, rests: &Rests, spectra: &[Spectrum]) 
 }
 
 /// All rests.
-pub(super) fn rests_json(info: &SceneInfo, rests: &Rests, spectra: &[Spectrum]) -> Value {
-    let of = |(rest, spectrum): (&crate::analysis::Rest, &Spectrum)| {
-        let mut value = with_spectrum(info, &rest.motion, spectrum);
+pub(super) fn rests_json(info: &SceneInfo, rests: &Rests, spectra: &[Result<Spectrum, AnalysisError>]) -> Value {
+    let of = |(rest, spectrum): (&Rest, &Result<Spectrum, AnalysisError>)| {
+        let mut value = match spectrum {
+            Ok(spectrum) => with_spectrum(info, &rest.motion, spectrum),
+            Err(error) => json!({
+                "steady": motion_json(info, &rest.motion),
+                "verdict": UNKNOWN,
+                "error": error.to_string(),
+            }),
+        };
         value["starts"] = rest.n_starts.into();
         value
     };

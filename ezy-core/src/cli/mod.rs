@@ -74,6 +74,8 @@ mod runs;
 mod selection;
 mod shell;
 mod show;
+#[cfg(feature = "analysis")]
+mod shown;
 mod sketch;
 mod slurm;
 #[cfg(feature = "analysis")]
@@ -90,7 +92,7 @@ mod value;
 mod vary;
 mod workspace;
 mod workspace_arguments;
-#[cfg(feature = "analysis")]
+#[cfg(all(feature = "analysis", feature = "figures"))]
 mod workspace_figure;
 #[cfg(feature = "analysis")]
 mod workspace_text;

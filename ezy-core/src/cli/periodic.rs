@@ -14,12 +14,9 @@ pub(super) use with_analysis::periodic;
 
 #[cfg(feature = "analysis")]
 mod with_analysis {
-    use super::super::animate::write;
-    use super::super::failure::print;
-    use super::super::json::print_json;
     use super::super::motion::refused;
-    use super::super::out_path::check_ending;
-    use super::super::periodic_text::{csv_of, json_of, text_of};
+    use super::super::periodic_text::Found;
+    use super::super::shown::Forms;
     use super::super::steady::{Request, failed};
     use super::{Failure, Models, PeriodicArguments};
     use crate::analysis::{AnalysisError, Period, PeriodicMotion};
@@ -41,10 +38,8 @@ mod with_analysis {
     }
 
     pub(in super::super) fn periodic(models: Models<'_>, arguments: &PeriodicArguments) -> Result<(), Failure> {
-        let PeriodicArguments { period, period_near, after, rtol, out, json, .. } = arguments;
-        if let Some(out) = out {
-            check_ending(out, "motions", &["csv"])?;
-        }
+        let PeriodicArguments { period, period_near, after, rtol, out, plot, json, .. } = arguments;
+        let forms = Forms::new("motions", out.as_deref(), plot.as_deref(), *json)?;
         let period = match (period, period_near) {
             (Some(period), _) => Period::Given(*period),
             (None, near) => Period::Near(near.unwrap_or_default()),
@@ -73,14 +68,7 @@ mod with_analysis {
             Ended::Run(failure) => failure,
             Ended::Analysis(error) => failed(error),
         })?;
-        if let Some(out) = out {
-            write(out, csv_of(&info, &motion)?)?;
-        }
-        if *json {
-            return print_json(&json_of(&info, &motion));
-        }
-        let file = out.as_ref().map_or_else(String::new, |out| format!("\n{}\n", out.display()));
-        print(&format!("{}{file}", text_of(&info, &motion)))
+        forms.show(&Found { info: &info, motion: &motion })
     }
 
     /// States of a run from a state.

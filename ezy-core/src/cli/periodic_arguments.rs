@@ -34,6 +34,9 @@ pub(super) struct PeriodicArguments {
     /// Write the motion over the period, as CSV
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
+    /// Draw the multipliers with the unit circle, inside of which deviations fade; .svg, .png or .html
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

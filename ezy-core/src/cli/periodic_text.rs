@@ -4,11 +4,21 @@ use serde_json::{Value, json};
 
 use super::failure::Failure;
 use super::linearize_text::{names_of_rows, rows};
+#[cfg(feature = "figures")]
+use super::selection::typed;
+#[cfg(feature = "figures")]
+use super::shown::Drawing;
+use super::shown::Shown;
 use crate::analysis::{PeriodicMotion, Stability, Trivial};
 use crate::model::SceneInfo;
+#[cfg(feature = "figures")]
+use crate::report::figure::Figure;
 use crate::report::table::{Table, fixed};
 use crate::scalar::{legible, rounded};
 
+/// Sides of what is drawn for a circle.
+#[cfg(feature = "figures")]
+const N_OF_CIRCLE: usize = 180;
 /// Digits of what describes.
 const DIGITS: usize = 9;
 /// Decimals of the start.
@@ -20,7 +30,42 @@ const MOST_ROWS: usize = 60;
 /// Names of what moves most with a multiplier.
 const MOST_NAMES: usize = 3;
 
-pub(super) fn text_of(info: &SceneInfo, motion: &PeriodicMotion) -> String {
+pub(super) struct Found<'a> {
+    pub info: &'a SceneInfo,
+    pub motion: &'a PeriodicMotion,
+}
+
+impl Shown for Found<'_> {
+    fn text(&self) -> String {
+        text_of(self.info, self.motion)
+    }
+
+    fn json(&self) -> Value {
+        json_of(self.info, self.motion)
+    }
+
+    fn csv(&self) -> Result<Vec<u8>, Failure> {
+        csv_of(self.info, self.motion)
+    }
+
+    /// The multipliers in the complex plane.
+    #[cfg(feature = "figures")]
+    fn drawing(&self) -> Drawing {
+        let title = format!("{}/{}: multipliers", typed(self.info.model), self.info.name);
+        let of_modes = self.motion.modes.iter().map(|mode| (mode.eigenvalue.re, mode.eigenvalue.im));
+        let (re, im) = of_modes.unzip();
+        let circle = |i: usize| (std::f64::consts::TAU * i as f64 / N_OF_CIRCLE as f64).sin_cos();
+        let (y, x) = (0..=N_OF_CIRCLE).map(circle).unzip();
+        let figure = Figure::equal(&title, "real part", "imaginary part").guide("unit circle", x, y).hinges(
+            "multipliers",
+            re,
+            im,
+        );
+        Drawing { figure, title, alternative: "multipliers and the unit circle in the complex plane".to_owned() }
+    }
+}
+
+fn text_of(info: &SceneInfo, motion: &PeriodicMotion) -> String {
     let short = |x| rounded(x, DIGITS);
     let mut text = format!("{}/{}: periodic, T = {} s\n", info.model, info.name, short(motion.period));
     if let Some((distance, angle)) = moved(motion) {
@@ -94,7 +139,7 @@ fn name(trivial: &Trivial) -> String {
     }
 }
 
-pub(super) fn json_of(info: &SceneInfo, motion: &PeriodicMotion) -> Value {
+fn json_of(info: &SceneInfo, motion: &PeriodicMotion) -> Value {
     let names = names_of_rows(info);
     let state = motion.start();
     let values = state.q.iter().chain(&state.v).chain(&state.z);
@@ -131,7 +176,7 @@ pub(super) fn json_of(info: &SceneInfo, motion: &PeriodicMotion) -> Value {
 }
 
 /// A row for each state.
-pub(super) fn csv_of(info: &SceneInfo, motion: &PeriodicMotion) -> Result<Vec<u8>, Failure> {
+fn csv_of(info: &SceneInfo, motion: &PeriodicMotion) -> Result<Vec<u8>, Failure> {
     let mut rows = csv::Writer::from_writer(Vec::new());
     let coordinates = info.coordinates.iter().chain(&*info.velocities).map(|c| format!("{} [{}]", c.name, c.unit));
     let states = info.states.iter().map(|state| format!("{} [{}]", state.name, state.unit));

@@ -17,7 +17,7 @@ use super::reactions_text::{Borne, json_of, text_of};
 use super::run_end::remarks;
 use super::selection::path;
 use crate::model::Scene;
-use crate::report::reactions::Reactions;
+use crate::report::reactions::{ElementFlows, Reactions};
 use crate::simulate::{Outcome, Run, SetupError};
 
 /// Intervals of a run between its samples, when `--every` is not given.
@@ -38,9 +38,9 @@ pub(super) fn reactions(models: Models<'_>, arguments: &ReactionsArguments) -> R
     }
     let scene = scene_with(model, entry, &arguments.motion.set)?;
     let interruption = Interruption::listen();
-    let (run, reactions) = simulate(arguments, scene.as_ref(), interruption)?;
+    let (run, reactions, elements) = simulate(arguments, scene.as_ref(), interruption)?;
     let scene_path = path(model, entry);
-    let borne = Borne { path: &scene_path, run: &run, reactions: &reactions };
+    let borne = Borne { path: &scene_path, run: &run, reactions: &reactions, elements: &elements };
     if let Some(out) = &arguments.out {
         write(out, csv(&borne)?)?;
     }
@@ -69,12 +69,12 @@ pub(super) fn reactions(models: Models<'_>, arguments: &ReactionsArguments) -> R
     }
 }
 
-/// A run with samples, and its reactions, whose largest values a second run refines.
+/// A run with samples, and its reactions and powers, whose largest values a second run refines.
 fn simulate(
     arguments: &ReactionsArguments,
     scene: &dyn Scene,
     interruption: Interruption,
-) -> Result<(Run, Reactions), Failure> {
+) -> Result<(Run, Reactions, ElementFlows), Failure> {
     let until_s = end(&arguments.motion, &scene.info());
     let method = method(&arguments.motion)?;
     let progress = Progress::new();
@@ -87,28 +87,38 @@ fn simulate(
         first = first.every(every_s);
     }
     let run = first.run().map_err(refused)?;
-    let mut reactions = Reactions::of(&run.samples().collect::<Vec<_>>());
+    let samples: Vec<_> = run.samples().collect();
+    let (mut reactions, mut elements) = (Reactions::of(&samples), ElementFlows::of(scene, &samples));
     if run.outcome.reached_end() {
         let end_s = run.last().t;
-        let times = reactions.times_near_largest().iter().copied().filter(|t| *t <= end_s);
-        let near = simulation(&arguments.motion, scene, method)?.work().power().at(times.collect::<Vec<_>>());
+        let times = reactions.times_near_largest().iter().chain(elements.times_near_largest());
+        let mut times: Vec<f64> = times.copied().filter(|t| *t <= end_s).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let near = simulation(&arguments.motion, scene, method)?.work().power().at(times);
         let near = near.interrupted_by(interruption.flag()).run().map_err(refused)?;
         // of an interrupted one the samples would lack largest values
         if near.outcome.reached_end() {
-            reactions.refine(&near.samples().collect::<Vec<_>>());
+            let samples: Vec<_> = near.samples().collect();
+            reactions.refine(&samples);
+            elements.refine(scene, &samples);
         }
     }
-    Ok((run, reactions))
+    Ok((run, reactions, elements))
 }
 
 /// A row for each sample.
 fn csv(borne: &Borne<'_>) -> Result<Vec<u8>, Failure> {
     let mut rows = csv::Writer::from_writer(Vec::new());
-    let columns = borne.reactions.columns();
-    let names = columns.iter().map(|column| format!("{} [{}]", column.name, column.unit));
+    let (columns, n_effects) = (borne.reactions.columns(), borne.effects().len());
+    let of_elements = borne.elements.columns();
+    // effects are the last columns, and their common potential the very last one
+    let n = columns.len() - borne.reactions.powers.len() + n_effects;
+    let names = columns[..n].iter().chain(&of_elements).map(|column| format!("{} [{}]", column.name, column.unit));
     rows.write_record(names).map_err(Failure::stopped)?;
-    for sample in borne.run.samples() {
-        let numbers = borne.reactions.row(&sample).into_iter().map(|x| format!("{x:?}"));
+    for (i, sample) in borne.run.samples().enumerate() {
+        let numbers = [&borne.reactions.row(&sample)[..n], borne.elements.powers(i)].concat();
+        let numbers = numbers.into_iter().map(|x| format!("{x:?}"));
         rows.write_record(numbers).map_err(Failure::stopped)?;
     }
     rows.into_inner().map_err(Failure::stopped)
@@ -167,25 +177,33 @@ fn draw_joints(borne: &Borne<'_>, path: &Path) -> Result<(), Failure> {
     write(&figure, &title, "y over x of the reaction of each joint", path)
 }
 
-/// The power of each effect over time.
+/// The power of each force, of the drives and of the stops over time.
 #[cfg(feature = "figures")]
 fn draw_powers(borne: &Borne<'_>, path: &Path) -> Result<(), Failure> {
     use super::drawing_of_columns::write;
     use crate::report::figure::Figure;
 
-    let powers = &borne.reactions.powers;
-    if powers.is_empty() {
+    let mut curves = borne.power_curves();
+    let n = curves.len();
+    if n == 0 {
         return Err(Failure::wrong_use(format!(
             "--plot-power: no force does work in {}; leave --plot-power",
             borne.path
         )));
     }
-    let title = format!("{}: power", borne.path);
+    let largest = |powers: &[f64]| powers.iter().fold(0.0, |most: f64, power| most.max(power.abs()));
+    if n > MOST_CURVES {
+        curves.sort_by(|a, b| largest(&b.1).total_cmp(&largest(&a.1)));
+        curves.truncate(MOST_CURVES);
+    }
+    let title = match n {
+        ..=MOST_CURVES => format!("{}: power", borne.path),
+        _ => format!("{}: the {MOST_CURVES} largest of {n} powers", borne.path),
+    };
     let times: Vec<f64> = borne.run.samples().map(|sample| sample.t).collect();
     let mut figure = Figure::time_series(&title, "time [s]", "power [W]");
-    for (i, flow) in powers.iter().enumerate() {
-        let power = borne.run.samples().map(|sample| sample.power[i]).collect();
-        figure = figure.line(flow.name, times.clone(), power);
+    for (name, power) in curves {
+        figure = figure.line(name, times.clone(), power);
     }
-    write(&figure, &title, "power of each effect over time", path)
+    write(&figure, &title, "power of each force over time", path)
 }

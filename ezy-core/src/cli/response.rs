@@ -1,16 +1,17 @@
 //! `linearize --response`: transfer functions as text, JSON, CSV and Bode plot.
 
-use std::path::Path;
+use serde_json::Value;
 
-use super::animate::write;
-use super::drawing;
-use super::failure::{Failure, print};
-use super::json::print_json;
-use super::out_path::check_ending;
+use super::failure::Failure;
 use super::response_text::{json_of, text_of};
+#[cfg(feature = "figures")]
+use super::selection::typed;
+#[cfg(feature = "figures")]
+use super::shown::Drawing;
+use super::shown::{Forms, Shown};
 use super::steady::{Request, failed};
 use super::steady_arguments::{LinearizeArguments, Pair};
-use crate::analysis::{BodePoint, Linearization, Transfer};
+use crate::analysis::{BodePoint, Linearization, SteadyMotion, Transfer};
 use crate::model::SceneInfo;
 use crate::record::find_name;
 use crate::scalar::legible;
@@ -28,31 +29,11 @@ pub(super) fn print_responses(request: &Request, arguments: &LinearizeArguments)
             "--frequencies are those of files: give --out FILE.csv or --plot FILE with them",
         ));
     }
-    if let Some(out) = out {
-        check_ending(out, "responses", &["csv"])?;
-    }
-    if let Some(plot) = plot {
-        drawing::check()?;
-        drawing::check_name(plot)?;
-    }
+    let forms = Forms::new("responses", out.as_deref(), plot.as_deref(), *json)?;
     let (motion, linear) = request.linearized(None)?;
     let transfers = transfers(&linear, response)?;
-    let path = request.path();
-    if out.is_some() || plot.is_some() {
-        let span = frequencies.unwrap_or_else(|| span(&transfers));
-        let responses = Responses { path: &path, of: transfers.iter().map(|of| (of, bode(of, span))).collect() };
-        if let Some(out) = out {
-            write(out, responses.csv(&info)?)?;
-        }
-        if let Some(plot) = plot {
-            responses.draw(plot)?;
-        }
-    }
-    if *json {
-        return print_json(&json_of(&info, &motion, &transfers));
-    }
-    let files: String = [out, plot].into_iter().flatten().map(|path| format!("\n{}", path.display())).collect();
-    print(&format!("{}{files}{}", text_of(&info, &motion, &transfers), if files.is_empty() { "" } else { "\n" }))
+    let span = frequencies.unwrap_or_else(|| span(&transfers));
+    forms.show(&Responses { info: &info, motion: &motion, transfers: &transfers, span })
 }
 
 /// That there are such inputs and outputs; where there are none at all, how to declare them.
@@ -86,24 +67,37 @@ fn span(transfers: &[Transfer]) -> [f64; 2] {
     spans.fold([f64::INFINITY, 0.0], |[low, high], [first, last]| [low.min(first), high.max(last)])
 }
 
-fn bode(of: &Transfer, span: [f64; 2]) -> Vec<BodePoint> {
-    of.bode(&of.frequencies(span, N_FREQUENCIES))
-}
-
 struct Responses<'a> {
-    path: &'a str,
-    of: Vec<(&'a Transfer, Vec<BodePoint>)>,
+    info: &'a SceneInfo,
+    motion: &'a SteadyMotion,
+    transfers: &'a [Transfer],
+    /// Lowest and highest frequency of files, rad/s.
+    span: [f64; 2],
 }
 
 impl Responses<'_> {
+    fn bode(&self, of: &Transfer) -> Vec<BodePoint> {
+        of.bode(&of.frequencies(self.span, N_FREQUENCIES))
+    }
+}
+
+impl Shown for Responses<'_> {
+    fn text(&self) -> String {
+        text_of(self.info, self.motion, self.transfers)
+    }
+
+    fn json(&self) -> Value {
+        json_of(self.info, self.motion, self.transfers)
+    }
+
     /// A row for each pair and frequency.
-    fn csv(&self, info: &SceneInfo) -> Result<Vec<u8>, Failure> {
+    fn csv(&self) -> Result<Vec<u8>, Failure> {
         let mut rows = csv::Writer::from_writer(Vec::new());
         let head = ["input", "output", "frequency [rad/s]", "magnitude", "unit", "magnitude [dB]", "phase [deg]"];
         rows.write_record(head).map_err(Failure::stopped)?;
-        for (of, points) in &self.of {
-            let unit = super::response_text::unit(info, of);
-            for point in points {
+        for of in self.transfers {
+            let unit = super::response_text::unit(self.info, of);
+            for point in self.bode(of) {
                 let numbers = [point.omega, point.magnitude, point.decibels(), point.phase.to_degrees()].map(legible);
                 let [omega, magnitude, decibels, phase] = &numbers;
                 let row = [of.input, &of.output, omega, magnitude, &unit, decibels, phase];
@@ -113,26 +107,22 @@ impl Responses<'_> {
         rows.into_inner().map_err(Failure::stopped)
     }
 
-    #[cfg(not(feature = "figures"))]
-    #[allow(clippy::unused_self, reason = "drawn, if at all")]
-    fn draw(&self, _: &Path) -> Result<(), Failure> {
-        drawing::check()
-    }
-
     /// Magnitude and phase over the frequency.
     #[cfg(feature = "figures")]
-    fn draw(&self, path: &Path) -> Result<(), Failure> {
-        use super::drawing_of_columns::write;
+    fn drawing(&self) -> Drawing {
         use crate::report::figure::Figure;
 
-        let title = match &self.of[..] {
-            [(of, _)] => format!("{}: response of {} to {}", self.path, of.output, of.input),
-            _ => format!("{}: responses", self.path),
+        let path = format!("{}/{}", typed(self.info.model), self.info.name);
+        let title = match self.transfers {
+            [of] => format!("{path}: response of {} to {}", of.output, of.input),
+            _ => format!("{path}: responses"),
         };
-        let name =
-            |of: &Transfer| if self.of.len() > 1 { format!("{} → {}", of.input, of.output) } else { String::new() };
+        let name = |of: &Transfer| {
+            if self.transfers.len() > 1 { format!("{} → {}", of.input, of.output) } else { String::new() }
+        };
+        let curves: Vec<(&Transfer, Vec<BodePoint>)> = self.transfers.iter().map(|of| (of, self.bode(of))).collect();
         let lines = |mut figure: Figure, y: fn(&BodePoint) -> f64| {
-            for (of, points) in &self.of {
+            for (of, points) in &curves {
                 let (x, y) = points.iter().map(|point| (point.omega, y(point))).unzip();
                 figure = figure.line(&name(of), x, y);
             }
@@ -140,6 +130,6 @@ impl Responses<'_> {
         };
         let figure = lines(Figure::log_x(&title, "frequency [rad/s]", "magnitude [dB]"), BodePoint::decibels);
         let figure = lines(figure.panel("phase [deg]"), |point| point.phase.to_degrees());
-        write(&figure, &title, "magnitude and phase over the frequency", path)
+        Drawing { figure, title, alternative: "magnitude and phase over the frequency".to_owned() }
     }
 }

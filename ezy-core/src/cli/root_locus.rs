@@ -1,14 +1,11 @@
 //! `linearize --vary`: a root locus as text, JSON, CSV and figure.
 
-use std::path::Path;
-
 use serde_json::{Value, json};
 
-use super::animate::write;
-use super::drawing;
-use super::failure::{Failure, print};
-use super::json::print_json;
-use super::out_path::check_ending;
+use super::failure::Failure;
+#[cfg(feature = "figures")]
+use super::shown::Drawing;
+use super::shown::{Forms, Shown};
 use super::steady::{Request, failed};
 use super::steady_arguments::LinearizeArguments;
 use super::value::parse_number;
@@ -38,13 +35,7 @@ pub(super) fn print_locus(
             "--vary {name}: a linearization has no {name}; vary a parameter, an input or a start value"
         )));
     }
-    if let Some(out) = out {
-        check_ending(out, "root loci", &["csv"])?;
-    }
-    if let Some(plot) = plot {
-        drawing::check()?;
-        drawing::check_name(plot)?;
-    }
+    let forms = Forms::new("root loci", out.as_deref(), plot.as_deref(), *json)?;
     let number =
         |value: &String| parse_number(value).map_err(|why| Failure::wrong_use(format!("--vary {name}: {why}")));
     let values = values.iter().map(number).collect::<Result<Vec<f64>, _>>()?;
@@ -62,17 +53,7 @@ pub(super) fn print_locus(
         _ => Locus::of(&values, spectrum)?,
     };
     let varied = Varied { path: request.path(), name, unit: unit(name, &info), locus: &locus };
-    if let Some(out) = out {
-        write(out, varied.csv()?)?;
-    }
-    if let Some(plot) = plot {
-        varied.draw(plot)?;
-    }
-    if *json {
-        return print_json(&varied.json());
-    }
-    let files: String = [out, plot].into_iter().flatten().map(|path| format!("\n{}", path.display())).collect();
-    print(&format!("{}{files}{}", varied.text(), if files.is_empty() { "" } else { "\n" }))
+    forms.show(&varied)
 }
 
 /// The unit of what varies.
@@ -94,7 +75,9 @@ impl Varied<'_> {
     fn heading(&self) -> String {
         if self.unit.is_empty() { self.name.to_owned() } else { format!("{} [{}]", self.name, self.unit) }
     }
+}
 
+impl Shown for Varied<'_> {
     fn text(&self) -> String {
         let head = [&*self.heading(), "largest real [1/s]", "its imag [1/s]", "unstable", "zero"];
         let mut table = Table::new(head);
@@ -171,16 +154,10 @@ impl Varied<'_> {
         rows.into_inner().map_err(Failure::stopped)
     }
 
-    #[cfg(not(feature = "figures"))]
-    #[allow(clippy::unused_self, reason = "drawn, if at all")]
-    fn draw(&self, _: &Path) -> Result<(), Failure> {
-        drawing::check()
-    }
-
     /// Real and imaginary parts over the value, with the critical values marked.
     #[cfg(feature = "figures")]
-    fn draw(&self, path: &Path) -> Result<(), Failure> {
-        use super::drawing_of_columns::{axis, write};
+    fn drawing(&self) -> Drawing {
+        use super::drawing_of_columns::axis;
         use crate::report::figure::Figure;
         use nalgebra::Complex;
 
@@ -206,6 +183,6 @@ impl Varied<'_> {
             .panel(&axis("imaginary part", "1/s"))
             .cloud("", im.0, im.1)
             .hinges("", im_critical.0, im_critical.1);
-        write(&figure, &title, &format!("eigenvalues over {}", self.name), path)
+        Drawing { figure, title, alternative: format!("eigenvalues over {}", self.name) }
     }
 }

@@ -23,6 +23,8 @@ pub(super) struct Request {
     entry: &'static SceneEntry,
     motion: MotionArguments,
     hold: Vec<String>,
+    /// Names and sizes, with the counts that are set.
+    info: Arc<SceneInfo>,
 }
 
 impl Request {
@@ -30,7 +32,7 @@ impl Request {
         let SteadyArguments { path, set, start, input, hold } = arguments;
         let (model, entry) = scene_entry(models, path)?;
         check_assignments(model, entry, start, input)?;
-        let info = (entry.info)();
+        let info = scene_with(model, entry, set)?.info();
         for name in hold {
             let states = info.states.iter().map(|state| state.name);
             let known = info.coordinates.iter().chain(&*info.velocities).map(|c| &*c.name).chain(states);
@@ -42,11 +44,11 @@ impl Request {
             input: input.clone(),
             ..MotionArguments::default()
         };
-        Ok(Self { model, entry, motion, hold: hold.clone() })
+        Ok(Self { model, entry, motion, hold: hold.clone(), info })
     }
 
     pub(super) fn info(&self) -> Arc<SceneInfo> {
-        (self.entry.info)()
+        Arc::clone(&self.info)
     }
 
     /// The scene with its parameters.
@@ -128,15 +130,15 @@ impl Request {
         })
     }
 
-    /// Every rest that many starts lead to, with its eigenvalues.
-    pub(super) fn rests(&self) -> Result<(Rests, Vec<Spectrum>), Failure> {
+    /// Every rest that many starts lead to, with its eigenvalues, or why it has none.
+    pub(super) fn rests(&self) -> Result<(Rests, Vec<Result<Spectrum, AnalysisError>>), Failure> {
         let scene = scene_with(self.model, self.entry, &self.motion.set)?;
         let run = simulation(&self.motion, scene.as_ref(), Method::default())?;
         let (mut system, start) = run.system_at_start().map_err(refused)?;
         let hold: Vec<&str> = self.hold.iter().map(String::as_str).collect();
         let rests = Rests::of(&mut system, &start, &hold, N_STARTS).map_err(failed)?;
         let spectra = rests.found.iter().map(|rest| Linearization::of(&mut system, &rest.motion)?.spectrum());
-        let spectra = spectra.collect::<Result<_, _>>().map_err(failed)?;
+        let spectra = spectra.collect();
         Ok((rests, spectra))
     }
 }

@@ -17,7 +17,22 @@ const MOST_ROWS: usize = 60;
 
 /// How a scene moves steadily, in a line.
 pub(super) fn heading(info: &SceneInfo, motion: &SteadyMotion) -> String {
-    format!("{}/{}: steady {}\n\n", info.model, info.name, course_text(info, motion))
+    let on = match pushed(info, motion) {
+        Some((stop, end)) => {
+            format!(", on the {end} end of stop `{stop}`; all that follows keeps to it")
+        }
+        None => String::new(),
+    };
+    format!("{}/{}: steady {}{on}\n\n", info.model, info.name, course_text(info, motion))
+}
+
+/// Name and end of the stop that holds.
+fn pushed(info: &SceneInfo, motion: &SteadyMotion) -> Option<(&'static str, &'static str)> {
+    let stop = info.stop?;
+    // a lower end pushes by a negative multiplier
+    let side = -motion.multipliers[stop.row];
+    let end = (0..stop.sides.len()).find(|&end| f64::from(stop.sides[end]) * side > 0.0)?;
+    Some((stop.name, stop.end(end)))
 }
 
 /// How a scene moves steadily, in words.
@@ -173,6 +188,7 @@ pub(super) fn motion_json(info: &SceneInfo, motion: &SteadyMotion) -> Value {
         "acceleration": named(coordinates(), &motion.accelerations),
         "states": named(info.states.iter().map(|state| state.name).collect(), &state.z),
         "multipliers": named(info.rows.iter().map(|row| &*row.name).collect(), &motion.multipliers),
+        "stop": pushed(info, motion).map(|(stop, end)| json!({ "name": stop, "end": end })),
         "free": motion.free,
         "newton_steps": motion.n_steps,
     })

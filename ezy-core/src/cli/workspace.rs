@@ -15,13 +15,10 @@ const MOST_PLACES: usize = 1_000_000;
 
 #[cfg(feature = "analysis")]
 pub(super) fn workspace(models: Models<'_>, arguments: &WorkspaceArguments) -> Result<(), Failure> {
-    use super::animate::write;
-    use super::failure::print;
-    use super::json::print_json;
-    use super::out_path::check_ending;
+    use super::names;
+    use super::shown::Forms;
     use super::steady::Request;
-    use super::workspace_text::Shown;
-    use super::{drawing, names};
+    use super::workspace_text::Reached;
     use crate::record::find_name;
 
     let WorkspaceArguments { steady, over, without, of, out, plot, json } = arguments;
@@ -43,31 +40,14 @@ pub(super) fn workspace(models: Models<'_>, arguments: &WorkspaceArguments) -> R
         known.dedup();
         find_name("drive", name, known.into_iter())?;
     }
-    if let Some(out) = out {
-        check_ending(out, "workspaces", &["csv"])?;
-    }
-    if let Some(plot) = plot {
-        drawing::check()?;
-        drawing::check_name(plot)?;
-    }
+    let forms = Forms::new("workspaces", out.as_deref(), plot.as_deref(), *json)?;
     let axes = over.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
     let n: usize = axes.iter().map(|axis| axis.values.len()).product();
     if n > MOST_PLACES {
         return Err(Failure::wrong_use(format!("--over: {n} places, more than {MOST_PLACES}; give longer steps")));
     }
     let workspace = request.workspace(&axes, without)?;
-    let shown = Shown::new(request.path(), &info, &workspace, of);
-    if let Some(out) = out {
-        write(out, shown.csv()?)?;
-    }
-    if let Some(plot) = plot {
-        shown.draw(plot)?;
-    }
-    if *json {
-        return print_json(&shown.json());
-    }
-    let files: String = [out, plot].into_iter().flatten().map(|path| format!("\n{}", path.display())).collect();
-    print(&format!("{}{files}{}", shown.text(), if files.is_empty() { "" } else { "\n" }))
+    forms.show(&Reached::new(request.path(), &info, &workspace, of))
 }
 
 /// The values of a coordinate, in ascending order.

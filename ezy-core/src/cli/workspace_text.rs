@@ -3,6 +3,9 @@
 use serde_json::{Value, json};
 
 use super::failure::Failure;
+#[cfg(feature = "figures")]
+use super::shown::Drawing;
+use super::shown::Shown;
 use crate::analysis::{AssemblyBranch, Axis, Limit, Singularity, Workspace};
 use crate::model::SceneInfo;
 use crate::report::table::{Table, fixed};
@@ -17,7 +20,7 @@ const SHORT: usize = 4;
 /// Coordinates beside a singular position; --json has all.
 const MOST_COORDINATES: usize = 5;
 
-pub(super) struct Shown<'a> {
+pub(super) struct Reached<'a> {
     pub path: String,
     pub info: &'a SceneInfo,
     pub workspace: &'a Workspace,
@@ -43,7 +46,7 @@ fn word(kind: Singularity) -> &'static str {
     }
 }
 
-impl<'a> Shown<'a> {
+impl<'a> Reached<'a> {
     pub(super) fn new(path: String, info: &'a SceneInfo, workspace: &'a Workspace, of: Option<usize>) -> Self {
         let place = |axis: &Axis| info.coordinates.iter().position(|c| *c.name == *axis.name);
         let held: Vec<usize> = workspace.axes.iter().filter_map(place).collect();
@@ -80,10 +83,6 @@ impl<'a> Shown<'a> {
             [x, y] => vec![x.values[i / y.values.len()], y.values[i % y.values.len()]],
             axes => axes.iter().map(|axis| axis.values[i]).collect(),
         }
-    }
-
-    pub(super) fn text(&self) -> String {
-        if self.held.len() == 1 { self.text_over_one() } else { self.text_over_two() }
     }
 
     fn text_over_one(&self) -> String {
@@ -160,8 +159,14 @@ impl<'a> Shown<'a> {
     fn named(&self, q: &[f64]) -> Value {
         self.info.coordinates.iter().zip(q).map(|(c, q)| (c.name.to_string(), json!(q))).collect()
     }
+}
 
-    pub(super) fn json(&self) -> Value {
+impl Shown for Reached<'_> {
+    fn text(&self) -> String {
+        if self.held.len() == 1 { self.text_over_one() } else { self.text_over_two() }
+    }
+
+    fn json(&self) -> Value {
         let Self { path, workspace, .. } = self;
         let branch = |branch: &AssemblyBranch| {
             let ends = branch.ends.as_ref().map(|ends| {
@@ -193,7 +198,7 @@ impl<'a> Shown<'a> {
     }
 
     /// A row for each place of each branch; cells of places that are not reached are empty.
-    pub(super) fn csv(&self) -> Result<Vec<u8>, Failure> {
+    fn csv(&self) -> Result<Vec<u8>, Failure> {
         let mut rows = csv::Writer::from_writer(Vec::new());
         let others: Vec<usize> = (0..self.info.n_coordinates()).filter(|i| !self.held.contains(i)).collect();
         let head = ["branch".to_owned()].into_iter().chain(self.held.iter().map(|i| self.head(*i)));
@@ -212,5 +217,10 @@ impl<'a> Shown<'a> {
             }
         }
         rows.into_inner().map_err(Failure::stopped)
+    }
+
+    #[cfg(feature = "figures")]
+    fn drawing(&self) -> Drawing {
+        self.drawn()
     }
 }

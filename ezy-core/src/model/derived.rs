@@ -2,7 +2,7 @@
 
 #[cfg(feature = "analysis")]
 use super::EquationsWithDerivatives;
-use super::{ElementInfo, Equations, EquationsInLanes, List, PreciseScene, Series};
+use super::{ElementInfo, Equations, EquationsInLanes, ForceElement, List, PreciseScene, Series};
 
 /// What a scene may know besides its equations of motion; `model!` derives it.
 ///
@@ -79,6 +79,18 @@ pub trait Derived: Equations<f64> {
     /// Numbers of [`Derived::elements`], one element after the other: points and directions in the axes of their bodies, m, then the
     /// load, N or N m. Writes [`ElementInfo::n_values`] of each.
     fn element_values(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let _ = (c, t, q, v, out);
+    }
+
+    /// What gives power to the mechanism and takes it: its forces in declared order, then its skates with a limit. All members that a force
+    /// has in a `for` over a count are one. A scene written by hand does not tell.
+    fn force_elements(&self) -> &'static [ForceElement] {
+        &[]
+    }
+
+    /// Power Q · v, W, that each of [`Derived::force_elements`] gives to the mechanism, in a `for` over a count that of all members; −∂V/∂q · v of one
+    /// with a potential. All of them, and the constraints that move with time, add up to vᵀ M a. Writes one number for each.
+    fn element_powers(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let _ = (c, t, q, v, out);
     }
 

@@ -1,4 +1,4 @@
-//! The method that lists what a picture of the scene shows.
+//! The methods that list what a picture of the scene shows, and what gives and takes power.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -9,6 +9,7 @@ use super::places::{firsts, slot_places};
 use crate::mechanics::Derived;
 use crate::mechanics::derived::Form;
 use crate::mechanics::elements::{Element, Fixed, Loading};
+use crate::mechanics::powers::ForceElement;
 use crate::model::{BodyId, Component, Model};
 use crate::symbolic::print::print;
 
@@ -21,6 +22,28 @@ pub fn method(model: &Model, derived: &Derived<'_>) -> TokenStream {
     quote! {
         fn elements(&self) -> ezy::List<ezy::ElementInfo> {
             #body
+        }
+    }
+}
+
+/// The list of the force elements, which no count changes.
+pub fn force_elements(model: &Model, derived: &Derived<'_>) -> TokenStream {
+    let all = derived.force_elements.iter().map(|element| {
+        let ForceElement { name, word, has_potential, works, .. } = element;
+        let effect = option(element.effect.map(|id| model.effects[id.0].name.to_string()));
+        quote! {
+            ezy::ForceElement {
+                name: #name,
+                kind: #word,
+                effect: #effect,
+                has_potential: #has_potential,
+                does_work: #works,
+            }
+        }
+    });
+    quote! {
+        fn force_elements(&self) -> &'static [ezy::ForceElement] {
+            &[#(#all),*]
         }
     }
 }

@@ -79,7 +79,7 @@ impl Method<'_> {
         let counters = self.counters();
         let zero = self.signature.numbers().literal(0.0);
         let (opening, result) = match self.signature.quantity {
-            Quantity::AppliedForce | Quantity::Power => (quote!(out.fill(#zero);), quote!()),
+            Quantity::AppliedForce | Quantity::Power | Quantity::ElementPowers => (quote!(out.fill(#zero);), quote!()),
             Quantity::PotentialEnergy => (quote!(let mut total = #zero;), quote!(total)),
             Quantity::SeriesBegin => {
                 let rows = quote!(let (q, v) = q[..2 * n_q].split_at(n_q););

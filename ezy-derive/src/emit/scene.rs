@@ -34,6 +34,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let parameters: Vec<&Ident> = derived.parameters().iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
     let elements = (!derived.elements.is_empty()).then(|| elements::method(model, derived));
+    let force_elements = (!derived.force_elements.is_empty()).then(|| elements::force_elements(model, derived));
     let in_lanes = derived.kernels.contains_key(&Quantity::Accelerations).then(access_in_lanes);
     let access_to_series = series.is_some().then(access_to_series);
     quote! {
@@ -55,6 +56,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
             #access_to_counts
             #of_derived
             #elements
+            #force_elements
             #in_lanes
             ezy::access_to_derivatives! {}
             #access_to_series

@@ -76,7 +76,7 @@ impl Order {
 const OUT: Writes = Writes::Vectors(&["out"]);
 
 /// Every method, in the order in which they are emitted.
-pub const ALL: [Signature; 25] = [
+pub const ALL: [Signature; 26] = [
     any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
     any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
     any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
@@ -98,6 +98,7 @@ pub const ALL: [Signature; 25] = [
     derived(Quantity::Jacobians, "jacobians", &["t", "q", "v", "a", "lambda"], Writes::Vectors(&["by_q", "by_v"])),
     derived(Quantity::StateJacobians, "state_jacobians", &["t", "q", "v"], OUT),
     derived(Quantity::Elements, "element_values", &["t", "q", "v"], OUT),
+    derived(Quantity::ElementPowers, "element_powers", &["t", "q", "v"], OUT),
     series(Quantity::SeriesBegin, "begin", &["t"], Order::Start),
     series(Quantity::SeriesRightSide, "right_side", &["k"], Order::Present),
     series(Quantity::SeriesSolution, "solve", &["k"], Order::Present),

@@ -4,6 +4,7 @@ use super::elements::{Element, elements};
 use super::jacobians::Jacobians;
 use super::kernels::{Entries, Kernels, Quantity};
 use super::lets::write_lets;
+use super::powers::{ForceElement, force_elements};
 use super::programs;
 use super::scene::Equations;
 use super::series::Series;
@@ -28,6 +29,8 @@ pub struct Derived<'m> {
     pub constants: ConstantPool,
     /// What a picture of the scene shows.
     pub elements: Vec<Element<'m>>,
+    /// What gives and takes power.
+    pub force_elements: Vec<ForceElement<'m>>,
 }
 
 /// The equations, and what is derived of all of them together.
@@ -65,6 +68,10 @@ impl<'m> Derived<'m> {
             derived.elements = elements(model, scene, algebra, symbols);
             let kernel = programs::elements(algebra, &derived.elements, false, &mut derived.constants);
             derived.kernels.insert(Quantity::Elements, kernel);
+            // last, so that what is computed of parameters for other kernels stays where it is
+            derived.force_elements = force_elements(model, scene, algebra, symbols);
+            let kernel = programs::element_powers(algebra, &derived.force_elements, false, &mut derived.constants);
+            derived.kernels.extend(kernel.map(|kernel| (Quantity::ElementPowers, kernel)));
         }
         derived
     }
@@ -83,7 +90,15 @@ impl<'m> Derived<'m> {
         kernels.extend(solutions.into_iter().flat_map(programs::solutions));
         write_lets(model, scene, &mut equations.algebra, &mut equations.symbols);
         let form = Form::Straight(Box::new(Straight { equations, elimination, jacobians }));
-        Self { scene: scene.clone(), form, kernels, series, constants, elements: Vec::new() }
+        Self {
+            scene: scene.clone(),
+            form,
+            kernels,
+            series,
+            constants,
+            elements: Vec::new(),
+            force_elements: Vec::new(),
+        }
     }
 
     fn counted(model: &'m Model, scene: &'m Scene) -> Self {
@@ -100,8 +115,11 @@ impl<'m> Derived<'m> {
         write_lets(model, scene, algebra, symbols);
         let elements = elements(model, scene, algebra, symbols);
         kernels.insert(Quantity::Elements, programs::elements(algebra, &elements, true, &mut constants));
+        let force_elements = force_elements(model, scene, algebra, symbols);
+        let kernel = programs::element_powers(algebra, &force_elements, true, &mut constants);
+        kernels.extend(kernel.map(|kernel| (Quantity::ElementPowers, kernel)));
         let form = Form::Counted(Box::new(Counted { templates, jacobians }));
-        Self { scene: scene.clone(), form, kernels, series, constants, elements }
+        Self { scene: scene.clone(), form, kernels, series, constants, elements, force_elements }
     }
 
     /// Products and operations of one order of the series; in a scene with counts, those of one member of each item.

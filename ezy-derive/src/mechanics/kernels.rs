@@ -33,6 +33,8 @@ pub enum Quantity {
     StateJacobians,
     /// Points, directions and loads of what a picture shows.
     Elements,
+    /// Of each force element.
+    ElementPowers,
     /// Of the Taylor series: the start of a step, then three kernels an order.
     SeriesBegin,
     SeriesRightSide,

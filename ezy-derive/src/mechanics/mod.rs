@@ -17,6 +17,7 @@ pub mod jacobians;
 pub mod kernels;
 mod kinematics;
 mod lets;
+pub mod powers;
 mod programs;
 mod rows;
 pub mod scene;

@@ -3,6 +3,7 @@
 use super::elements::Element;
 use super::jacobians::Jacobians;
 use super::kernels::{Entries, Kernel, Kernels, Pass, Put, Quantity, Read};
+use super::powers::ForceElement;
 use super::scene::{Equations, Group};
 use super::series::{Series, Solution};
 use super::solve::{Solutions, Solver};
@@ -244,4 +245,24 @@ pub fn elements<'m>(
     }
     let passes = elements.iter().map(|of| lower.stacked(of.loops, &of.slots, &of.values()));
     Kernel::of(passes.collect())
+}
+
+/// The power of each force element, member by member in a scene with counts; `None` without any.
+pub fn element_powers<'m>(
+    algebra: &Algebra,
+    elements: &[ForceElement<'m>],
+    is_counted: bool,
+    constants: &mut ConstantPool,
+) -> Option<Kernel<'m>> {
+    if elements.is_empty() {
+        return None;
+    }
+    let mut lower = Lower { algebra, constants };
+    if !is_counted {
+        let powers: Vec<SumId> = elements.iter().flat_map(|of| &of.terms).map(|term| term.power).collect();
+        return Some(lower.vector(&powers));
+    }
+    let terms = elements.iter().enumerate().flat_map(|(i, of)| of.terms.iter().map(move |term| (i, term)));
+    let passes = terms.map(|(i, of)| lower.pass(of.loops, &of.slots, &[of.power], vec![Put::Group(i)]));
+    Some(Kernel::of(passes.collect()))
 }

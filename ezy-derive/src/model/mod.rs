@@ -259,6 +259,10 @@ pub struct Stop {
 #[derive(Debug)]
 pub struct Force {
     pub word: &'static Word,
+    /// What it is and where: `spring A ~ B`; another one may have the same.
+    pub name: String,
+    /// Number of its declaration: a gravity that acts on arrays becomes several forces.
+    pub declaration: usize,
     /// The effect that declares it; `None` when the model itself does.
     pub effect: Option<EffectId>,
     /// The `for` around its declaration, outermost first.

@@ -250,7 +250,8 @@ impl<'a> Resolver<'a> {
         match &item.kind {
             ItemKind::Output(output) => model.outputs.extend(context.output(output, item, scope)),
             ItemKind::Statement(force) if !force.word.is_row() => {
-                model.forces.extend(context.force(force, &item.loops, scope));
+                let declaration = model.forces.last().map_or(0, |last| last.declaration + 1);
+                model.forces.extend(context.force(force, &item.loops, scope, declaration));
             }
             ItemKind::Release(row) if scope.is_none() => context.diag.error(scenes::release_outside_effect(row)),
             ItemKind::Effect(effect) => self.effect(effect, item.documentation.clone()),

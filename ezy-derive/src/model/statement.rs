@@ -31,10 +31,16 @@ impl Context<'_> {
         Some(Row { name: name.clone(), word: statement.word, effect, loops: loops_of_row, arguments: arguments? })
     }
 
-    /// A force; of a gravity that acts on arrays, one for each of them.
-    pub fn force(&mut self, statement: &Statement, loops: &[ast::Loop], effect: Scope) -> Vec<Force> {
+    /// A force, the declaration of this number; of a gravity that acts on arrays, one for each of them.
+    pub fn force(
+        &mut self,
+        statement: &Statement,
+        loops: &[ast::Loop],
+        effect: Scope,
+        declaration: usize,
+    ) -> Vec<Force> {
         let loops = self.enter(loops);
-        let word = statement.word;
+        let (word, name) = (statement.word, statement.what_and_where());
         let arguments = self.arguments(statement, format!("this {}", word.word), effect, None);
         let forces = match arguments {
             None => Vec::new(),
@@ -45,11 +51,11 @@ impl Context<'_> {
                         vector: arguments.vector.clone(),
                         ..Arguments::default()
                     };
-                    Force { word, effect, loops, arguments }
+                    Force { word, name: name.clone(), declaration, effect, loops, arguments }
                 };
                 self.all_bodies().into_iter().map(on).collect()
             }
-            Some(arguments) => vec![Force { word, effect, loops, arguments }],
+            Some(arguments) => vec![Force { word, name, declaration, effect, loops, arguments }],
         };
         self.leave();
         forces
@@ -72,6 +78,20 @@ impl Context<'_> {
         statement.phrases.iter().for_each(|phrase| reader.phrase(phrase));
         let arguments = reader.arguments;
         (self.diag.n_errors() == n_errors).then_some(arguments)
+    }
+}
+
+impl Statement {
+    /// What it is and where: `spring A ~ B`, `force at P`, `torque arm`; of a place on a body the body.
+    pub fn what_and_where(&self) -> String {
+        let places = self.phrases.iter().filter_map(|phrase| match phrase {
+            Phrase::Pair(pair) => Some(format!(" {} ~ {}", pair[0].owner().text, pair[1].owner().text)),
+            Phrase::At(place) => Some(format!(" at {}", place.owner().text)),
+            Phrase::Couple(a, b) => Some(format!(" {} ~ {}", a.text, b.text)),
+            Phrase::Body(body) => Some(format!(" {}", body.text)),
+            _ => None,
+        });
+        std::iter::once(self.word.word.to_owned()).chain(places).collect()
     }
 }
 

@@ -42,6 +42,8 @@ pub struct Loop {
 pub struct Name {
     pub word: Ident,
     pub indices: Vec<Expr>,
+    /// As written, blanks removed: `link[i-1]`.
+    pub text: String,
     /// The last token.
     pub end: Span,
 }
@@ -357,7 +359,9 @@ impl Expr {
     /// A name alone, with or without indices.
     pub fn as_name(&self) -> Option<Name> {
         match self {
-            Self::Name(word) => Some(Name { word: word.clone(), indices: Vec::new(), end: word.span() }),
+            Self::Name(word) => {
+                Some(Name { text: word.to_string(), word: word.clone(), indices: Vec::new(), end: word.span() })
+            }
             Self::Indexed(name) => Some(Name::clone(name)),
             _ => None,
         }

@@ -3,7 +3,7 @@
 use super::ast::{Expr, Name};
 use super::token::{
     Bracketed, comma_or_end, end, end_of_pair, expected, found, is_rust_keyword, name, parenthesised, peek_number,
-    peek_word, take, take_one_of,
+    peek_word, take, take_one_of, written,
 };
 use super::unit::{self, Misplaced};
 use crate::diag::elsewhere::{self, meaning};
@@ -129,8 +129,9 @@ impl Parser {
     }
 
     fn indexed(&mut self, input: ParseStream, what: &str) -> Result<Name> {
+        let begin = input.cursor();
         let word = name(input, what)?;
-        let mut indexed = Name { end: word.span(), word, indices: Vec::new() };
+        let mut indexed = Name { text: word.to_string(), end: word.span(), word, indices: Vec::new() };
         if !input.peek(syn::token::Bracket) {
             return Ok(indexed);
         }
@@ -147,6 +148,7 @@ impl Parser {
         self.brackets -= 1;
         end(&inside, "]")?;
         indexed.end = brackets.close();
+        indexed.text = written(begin, input);
         Ok(indexed)
     }
 

@@ -89,3 +89,31 @@ fn invariant_what_cannot_vary_is_refused() {
     refused("rtol=1e-9,1e-6", "a steady motion has no rtol");
     refused("g=9.81", "one value is no range");
 }
+
+/// Knots that hang below each other carry what is below them, and no thread across carries anything.
+#[test]
+fn analytic_hanging_net_comes_to_rest_from_its_push() {
+    let rest = json(&["equilibrium", "hangingnet/swing", "--set", "rows=4", "--set", "columns=4", "--json"]);
+    assert_eq!(rest["steady"]["kind"], "rest", "{rest}");
+    for (row, tension) in rest["steady"]["multipliers"].as_object().expect("an object") {
+        let tension = tension.as_f64().expect("a number");
+        let below = match row.strip_prefix("warp[").and_then(|rest| rest.split(',').next()?.parse::<f64>().ok()) {
+            Some(i) => 4.0 - i,
+            None if row.ends_with(".y") => 4.0,
+            None => 0.0,
+        };
+        // of the weight of a column
+        assert!((tension.abs() - below * 0.01 * 9.81).abs() <= STEADY * 4.0 * 0.01 * 9.81, "{row}: {tension} N");
+    }
+}
+
+/// Folded rests have no linear equations: the others are told all the same.
+#[test]
+fn invariant_rests_without_linear_equations_are_listed() {
+    let path = ["equilibrium", "hangingnet/swing", "--all", "--set", "rows=2"];
+    let all = json(&[&path[..], &["--json"]].concat());
+    let rests = all["rests"].as_array().expect("a list");
+    let unknown = rests.iter().filter(|rest| rest["verdict"] == "unknown").count();
+    assert!(unknown > 0 && unknown < rests.len(), "{unknown} of {}", rests.len());
+    assert!(rests.iter().all(|rest| (rest["verdict"] == "unknown") == rest["error"].is_string()), "{all}");
+}

@@ -13,6 +13,8 @@ mod leads;
 #[cfg(feature = "analysis")]
 mod linearize;
 mod new;
+#[cfg(feature = "analysis")]
+mod periodic;
 mod pictures;
 mod plots;
 mod reactions;
@@ -26,6 +28,8 @@ mod study;
 #[cfg(unix)]
 mod sweeps;
 mod words;
+#[cfg(feature = "analysis")]
+mod workspace;
 
 use run::{assert_wrong_use, directory, ezy, text};
 use serde_json::Value;
@@ -41,6 +45,14 @@ fn output(arguments: &[&str]) -> String {
 /// The same, of a command that prints JSON.
 fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&output(arguments)).expect("output is JSON")
+}
+
+/// Head and rows of a file of comma-separated values without quotes.
+#[cfg(feature = "analysis")]
+fn table(file: &Path) -> (Vec<String>, Vec<Vec<String>>) {
+    let text = std::fs::read_to_string(file).expect("a table");
+    let mut rows = text.lines().map(|line| line.split(',').map(str::to_owned).collect());
+    (rows.next().expect("a head"), rows.collect())
 }
 
 /// A file of the repository is as it is made now; with `UPDATE_GOLDEN=1` it is written anew.

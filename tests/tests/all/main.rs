@@ -8,8 +8,6 @@ mod angles;
 mod architecture;
 mod assembly_modes;
 mod backends;
-#[cfg(feature = "analysis")]
-mod bifurcations;
 mod circles;
 mod control;
 mod count_table;
@@ -19,8 +17,6 @@ mod dop853;
 mod drawing;
 mod drives;
 mod ensemble;
-#[cfg(feature = "analysis")]
-mod equilibria;
 mod error_estimate;
 mod events;
 mod exact_start;
@@ -29,17 +25,11 @@ mod fields;
 mod first_order;
 mod fuzz;
 mod garage;
-#[cfg(feature = "analysis")]
-mod gradients;
 mod guide;
 mod hand_and_generated;
 mod hard;
-#[cfg(feature = "analysis")]
-mod inverse_dynamics;
 mod large;
 mod level_cranks;
-#[cfg(feature = "analysis")]
-mod linear;
 mod local_order;
 mod long_runs;
 mod massless;
@@ -53,8 +43,6 @@ mod other_mechanisms;
 mod outputs;
 mod packages;
 mod parallel_cranks;
-#[cfg(feature = "analysis")]
-mod periodic_motions;
 mod precise;
 mod projection;
 mod radau;
@@ -85,13 +73,9 @@ mod symmetries;
 mod taylor;
 mod threes;
 mod tolerances;
-#[cfg(feature = "analysis")]
-mod towed;
 mod trajectories;
 mod treads;
 mod unequal_masses;
 mod unequal_members;
 mod walks;
 mod work;
-#[cfg(feature = "analysis")]
-mod workspaces;

@@ -377,6 +377,17 @@ fn analytic_phase_is_followed_over_wide_steps() {
     assert!(of.frequencies([first, last], 1000).is_sorted());
 }
 
+/// Beside the pole i of 1/(s² + 1): half the width 1e-3 away, and seven times twice as far.
+#[test]
+fn analytic_frequencies_stand_close_beside_a_pole_without_damping() {
+    let found = rational(&[1.0], &[1.0, 0.0]).frequencies([0.1, 10.0], 2);
+    let away: Vec<f64> = (-1..=6).map(|i| 1e-3 * 2f64.powi(i)).collect();
+    let below = away.iter().rev().map(|away| 1.0 - away);
+    let exact: Vec<f64> = [0.1].into_iter().chain(below).chain([1.0]).chain(away.iter().map(|x| 1.0 + x)).collect();
+    assert_eq!(found.len(), exact.len() + 1, "{found:?}");
+    assert!(found.iter().zip(exact.iter().chain(&[10.0])).all(|(f, e)| (f - e).abs() <= ROOTS * e), "{found:?}");
+}
+
 /// A rod driven by a sine, after its transient: amplitude and phase are those of G(iω).
 ///
 /// The input is held over the steps h: its first harmonic has the factor sin(ωh/2)/(ωh/2) e^(−iωh/2). Of sin φ = φ − φ³/6 the first harmonic

@@ -1,9 +1,11 @@
-//! What the joints of a run bear, and which power each effect has: largest values, means, works.
+//! What the joints of a run bear, and which power each effect and each force has: largest values, means, works.
 
+mod element_flow;
 mod joint;
 mod largest;
 mod power_flow;
 
+pub use element_flow::{ElementFlow, ElementFlows};
 pub use joint::{Joint, JointReaction};
 pub use largest::Largest;
 pub use power_flow::{PowerFlow, WorkBalance};
@@ -45,7 +47,7 @@ use crate::record::{Column, Sample};
 /// apart, h. Of a smooth curve the value is as good as the run, but for h³/16 of its third derivative. At a jump, a kink or an end of the run it is
 /// a sample, and late or early by h at most. What is shorter than the interval of the first run may be missed. Means are sums of trapezoids over the first run.
 ///
-/// Impulses of stops are no reactions: they are left out.
+/// Impulses of stops are no reactions: they are left out. Powers of the single forces are in [`ElementFlows`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reactions {
     /// What each joint bears, in the order of the rows.

@@ -65,12 +65,23 @@ impl PowerFlow {
 /// Looks for the largest powers in samples.
 pub(super) fn find_largest(flows: &mut [PowerFlow], times: &[f64], samples: &[Sample<'_>]) {
     let powers = samples.iter().flat_map(|sample| &sample.power[..flows.len().min(sample.power.len())]);
-    let least = ROUNDING * powers.fold(0.0, |most: f64, power| most.max(power.abs()));
-    for (i, flow) in flows.iter_mut().enumerate() {
-        let [delivered, absorbed] = curves(i, times, samples).map(|curve| curve.largest().map(|peak| peak.largest));
-        flow.delivered = delivered.filter(|largest| largest.value > least);
-        flow.absorbed = absorbed.filter(|largest| largest.value > least);
+    let extremes = find_extremes(powers, flows.len(), |i| curves(i, times, samples));
+    for (flow, [delivered, absorbed]) in flows.iter_mut().zip(extremes) {
+        (flow.delivered, flow.absorbed) = (delivered, absorbed);
     }
+}
+
+/// The largest power that each of `n` delivers and takes, by its two curves; `all` are the powers that tell what is rounding.
+pub(super) fn find_extremes<'a, 'p>(
+    all: impl Iterator<Item = &'p f64>,
+    n: usize,
+    curves: impl Fn(usize) -> [Curve<'a>; 2],
+) -> Vec<[Option<Largest>; 2]> {
+    let least = ROUNDING * all.fold(0.0, |most: f64, power| most.max(power.abs()));
+    // a parabola through samples of friction that comes to rest passes zero where no sample does
+    let has_some = |curve: &Curve<'_>| curve.values.iter().any(|power| *power > least);
+    let largest = |curve: Curve<'_>| Some(curve).filter(has_some)?.largest().map(|peak| peak.largest);
+    (0..n).map(|i| curves(i).map(largest)).collect()
 }
 
 /// The power that effect `i` delivers, and that it takes.

@@ -44,6 +44,32 @@ crate::model! {
     }
 }
 
+crate::model! {
+    /// A pendulum with a torsion spring and dry friction.
+    model Spring {
+        body bob { mass: 2, inertia: 0.1 }
+        hinge pin: ground(0, 0) ~ bob(-0.5, 0);
+        gravity (0, -10);
+        torsion ground ~ bob: stiffness 6, angle -0.2;
+        effect rub { friction ground ~ bob: torque 0.8, rate 0.5; }
+        start level { bob angle 0; at rest; }
+        scene swings { start level; until 2 s; with rub; }
+    }
+}
+
+crate::model! {
+    /// A puck on a skate that slides across when a force that grows passes its limit.
+    model Puck {
+        param growth: N/s = 2;
+        body puck { mass: 1, inertia: 1 }
+        constraint level: puck.phi = 0;
+        skate edge: at puck(0, 0) along puck(1, 0) limit 1;
+        force at puck(0, 0): (0, growth*t);
+        start here { puck at (0, 0) angle 0; at rest; }
+        scene slips { start here; until 2 s; }
+    }
+}
+
 /// Relative tolerance of the runs.
 const RTOL: f64 = 1e-11;
 /// Errors of steps add up, and reactions are second derivatives: a hundred tolerances.
@@ -191,4 +217,111 @@ fn invariant_table_has_a_number_for_each_column() {
     let without = Simulation::new(&crank::Turns::default()).every(0.1).run().unwrap();
     assert_eq!(without.last().get("power.drives").unwrap_err().remedy, Some("power"));
     assert!(Reactions::of(&without.samples().collect::<Vec<_>>()).powers.is_empty());
+}
+
+/// By the state of each sample: gravity −m g y', torsion −k (φ − φ₀) ω, friction −f ω²/√(ω² + u²). Works are what each potential lost; friction is alone
+/// in its effect, so that its work is the one that the run integrated.
+#[test]
+fn analytic_forces_of_a_pendulum_with_spring_and_friction() {
+    let scene = spring::Swings::default();
+    let (run, _, _) = found(&scene, 1e-3);
+    let samples: Vec<_> = run.samples().collect();
+    let flows = ElementFlows::of(&scene, &samples);
+    let names: Vec<_> =
+        flows.columns().into_iter().map(|column| format!("{} [{}]", column.name, column.unit)).collect();
+    let expected = ["power.gravity [W]", "power.torsion ground ~ bob [W]", "power.friction ground ~ bob [W]"];
+    assert_eq!(names, expected);
+    let state = |sample: &Sample<'_>| ["bob.y", "bob.phi", "bob.vy", "bob.omega"].map(|name| sample.get(name).unwrap());
+    for (i, sample) in samples.iter().enumerate() {
+        let [_, phi, vy, omega] = state(sample);
+        let expected = [-20.0 * vy, -6.0 * (phi + 0.2) * omega, -0.8 * omega * omega / omega.hypot(0.5)];
+        for (power, expected) in flows.powers(i).iter().zip(expected) {
+            assert!((power - expected).abs() <= 1e-12, "{power} {expected} at {} s", sample.t);
+        }
+    }
+    let [[y, phi, ..], [y_end, phi_end, ..]] = [&samples[0], &samples[samples.len() - 1]].map(state);
+    let stored = |phi: f64| 3.0 * (phi + 0.2) * (phi + 0.2);
+    let friction = samples[samples.len() - 1].get("work.rub").unwrap();
+    let works = [-20.0 * (y_end - y), stored(phi) - stored(phi_end), friction];
+    for (flow, expected) in flows.all.iter().zip(works) {
+        // h⁴/6 of the third derivative, some 50 W at 10 rad/s, over 2 s
+        let bound = 1e-12 / 6.0 * 2.0 * 50.0 * 1e3 + 30.0 * RUN;
+        assert!((flow.work - expected).abs() <= bound, "{}: {} {expected}", flow.element.name, flow.work);
+    }
+    let friction = &flows.all[2];
+    assert_eq!((friction.element.effect, friction.delivered), (Some("rub"), None));
+    let sum: f64 = flows.all.iter().map(|flow| flow.work).sum();
+    let kinetic = samples[samples.len() - 1].energy.kinetic - samples[0].energy.kinetic;
+    assert!((sum - kinetic).abs() <= 1e-7, "{sum} {kinetic}");
+}
+
+/// Forces and drives together are vᵀ M a at each sample, and of forces that are alone the flow is that of their effect.
+#[test]
+fn cross_forces_and_drives_are_what_the_kinetic_energy_gains() {
+    let scene = crank::Turns::default();
+    let (run, reactions, refined) = found(&scene, 1e-3);
+    let samples: Vec<_> = run.samples().collect();
+    let mut flows = ElementFlows::of(&scene, &samples);
+    let drives = 1;
+    for (i, sample) in samples.iter().enumerate() {
+        let gain: f64 = [2.0, 2.0, 0.4]
+            .iter()
+            .zip(sample.velocities)
+            .zip(sample.accelerations)
+            .map(|((mass, v), a)| mass * v * a)
+            .sum();
+        let sum = flows.powers(i).iter().sum::<f64>() + sample.power[drives];
+        assert!((sum - gain).abs() <= 30.0 * RUN, "{sum} {gain} at {} s", sample.t);
+    }
+    // `friction` and `potential` have one force each
+    for (flow, of_effect) in flows.all.iter().zip([&reactions.powers[0], &reactions.powers[2]]) {
+        assert_eq!(flow.work, of_effect.work, "{}", flow.element.name);
+    }
+    assert_eq!(flows.besides(&reactions.powers).len(), 2);
+    let times = flows.times_near_largest().to_vec();
+    let near = Simulation::new(&scene).method(Method::dop853(RTOL)).work().power().at(times).run().unwrap();
+    flows.refine(&scene, &near.samples().collect::<Vec<_>>());
+    for (flow, of_effect) in flows.all.iter().zip([&refined.powers[0], &refined.powers[2]]) {
+        for (own, of_effect) in [(flow.delivered, of_effect.delivered), (flow.absorbed, of_effect.absorbed)] {
+            let [own, of_effect] = [own, of_effect].map(|largest| largest.map_or(0.0, |largest| largest.value));
+            assert!((own - of_effect).abs() <= 30.0 * RUN, "{}: {own} {of_effect}", flow.element.name);
+        }
+    }
+    assert_eq!(flows.powers(0).len(), 2);
+}
+
+/// The force 2 t passes the limit of 1 N at 0.5 s; from there on v = (t − 0.5)², and the skate takes v, the force gives 2 t v. While it holds nothing moves.
+#[test]
+fn analytic_skate_takes_power_while_it_slides() {
+    let scene = puck::Slips::default();
+    let (run, _, _) = found(&scene, 1e-2);
+    let samples: Vec<_> = run.samples().collect();
+    let flows = ElementFlows::of(&scene, &samples);
+    let names: Vec<_> = flows.all.iter().map(|flow| flow.element.name).collect();
+    assert_eq!(names, ["force at puck", "skate edge"]);
+    for (i, sample) in samples.iter().enumerate() {
+        let v = (sample.t - 0.5).max(0.0).powi(2);
+        for (power, expected) in flows.powers(i).iter().zip([2.0 * sample.t * v, -v]) {
+            assert!((power - expected).abs() <= 10.0 * RUN, "{power} {expected} at {} s", sample.t);
+        }
+    }
+    // one of two in the forces of the model: integrals over samples, of which (2 − 0.5)³/3 is one, to h³/12 of f'' = 2 at the time where it begins to slide
+    let skate = flows.all[1].work;
+    assert!((skate + 1.5_f64.powi(3) / 3.0).abs() <= 1e-6 / 6.0 + 10.0 * RUN, "{skate}");
+}
+
+/// Without works all of them are integrals over the samples, by another route the same.
+#[test]
+fn cross_works_by_samples_are_the_integrated_ones() {
+    let scene = spring::Swings::default();
+    let flows = |works: bool| {
+        let simulation = Simulation::new(&scene).method(Method::dop853(RTOL)).every(1e-3);
+        let run = if works { simulation.work() } else { simulation }.run().unwrap();
+        ElementFlows::of(&scene, &run.samples().collect::<Vec<_>>())
+    };
+    let (with, without) = (flows(true), flows(false));
+    for (a, b) in with.all.iter().zip(&without.all) {
+        assert!((a.work - b.work).abs() <= 1e-7, "{}: {} {}", a.element.name, a.work, b.work);
+    }
+    assert!(with.all[2].work < 0.0);
 }

@@ -221,6 +221,16 @@ impl ezy::Derived for Swing {
             place += 1;
         }
     }
+    fn element_powers(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let first_link: i64 = 0;
+        out.fill(0f64);
+        for at_i in 0..(self.n as i64) {
+            let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
+            let m_g = c[3usize];
+            let link_i_vy = v[slots[0] + 1];
+            out[0usize] += -(m_g * link_i_vy);
+        }
+    }
     fn elements(&self) -> ezy::List<ezy::ElementInfo> {
         let first_link: i64 = 0;
         let mut all = ::std::vec::Vec::new();
@@ -302,6 +312,17 @@ impl ezy::Derived for Swing {
             });
         }
         ezy::List::Owned(all)
+    }
+    fn force_elements(&self) -> &'static [ezy::ForceElement] {
+        &[
+            ezy::ForceElement {
+                name: "gravity",
+                kind: "gravity",
+                effect: ::core::option::Option::None,
+                has_potential: true,
+                does_work: false,
+            },
+        ]
     }
     ezy::access_to_derivatives! {}
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {

@@ -146,6 +146,27 @@ impl ezy::Derived for Skid {
         out[15usize] = 0f64;
         out[16usize] = m0 * cos_omega_t;
     }
+    fn element_powers(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let c = ezy::array::<45usize, f64>(c);
+        let q = ezy::array::<6usize, f64>(q);
+        let v = ezy::array::<6usize, f64>(v);
+        let out = ezy::array_mut::<2usize, f64>(out);
+        let seat_omega = v[2usize];
+        let bar_omega = v[5usize];
+        let omega = c[1usize];
+        let cos_omega_t = f64::cos(omega * t);
+        let m0 = c[0usize];
+        let seat_vx = v[0usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+        let seat_vy = v[1usize];
+        let difference_19 = seat_vx * sin_seat_phi - seat_vy * cos_seat_phi;
+        let hold_rear_on_ice_side = c[34usize];
+        let hold_rear_on_ice_side_a = c[2usize];
+        out[0usize] = (seat_omega - bar_omega) * cos_omega_t * m0;
+        out[1usize] = difference_19 * hold_rear_on_ice_side
+            + seat_omega * hold_rear_on_ice_side_a;
+    }
     fn elements(&self) -> ezy::List<ezy::ElementInfo> {
         const ELEMENTS: &[ezy::ElementInfo] = &[
             ezy::ElementInfo {
@@ -262,6 +283,24 @@ impl ezy::Derived for Skid {
             },
         ];
         ezy::List::Borrowed(ELEMENTS)
+    }
+    fn force_elements(&self) -> &'static [ezy::ForceElement] {
+        &[
+            ezy::ForceElement {
+                name: "torque seat ~ bar",
+                kind: "torque",
+                effect: ::core::option::Option::Some("pump"),
+                has_potential: false,
+                does_work: true,
+            },
+            ezy::ForceElement {
+                name: "skate rear_on_ice",
+                kind: "skate",
+                effect: ::core::option::Option::Some("ice"),
+                has_potential: false,
+                does_work: true,
+            },
+        ]
     }
     fn in_lanes(&self) -> ::core::option::Option<&dyn ezy::EquationsInLanes> {
         ::core::option::Option::Some(self)

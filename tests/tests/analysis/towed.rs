@@ -1,6 +1,6 @@
 //! What is towed: shimmy of a caster, trailers behind a tractor, against closed forms.
 
-use super::linear::check_sets;
+use crate::linear::check_sets;
 use ezy_core::model;
 
 model! {

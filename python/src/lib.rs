@@ -1,0 +1,51 @@
+//! Models of EZY as Python modules.
+//!
+//! A crate of type `cdylib` with a model calls [`add_models`] in its `#[pymodule]`. In Python each scene is then a class whose arguments are its
+//! parameters:
+//!
+//! ```python
+//! import ezy
+//! run = ezy.ezyroller.driven(m0=3).run(rtol=1e-10, every=0.01)
+//! run["bar.phi"]          # a NumPy array
+//! ```
+
+mod error;
+mod inputs;
+mod model;
+mod run;
+mod scene;
+mod stepper;
+
+pub use error::{EzyError, StoppedError};
+
+use ezy_core::model::ModelInfo;
+use model::Model;
+use pyo3::prelude::*;
+
+/// Adds models to a module: of one model its scenes, of several the models by their names in lower case; beside them the classes and exceptions.
+///
+/// # Errors
+/// Those of Python.
+pub fn add_models(module: &Bound<'_, PyModule>, models: &[&'static ModelInfo]) -> PyResult<()> {
+    let py = module.py();
+    for model in models {
+        let model = Model::new(model);
+        match models {
+            [_] => {
+                for name in model.names() {
+                    module.add(name, model.scene(name)?)?;
+                }
+            }
+            _ => module.add(model.module_name().as_str(), model)?,
+        }
+    }
+    module.add_class::<Model>()?;
+    module.add_class::<model::SceneType>()?;
+    module.add_class::<scene::PyScene>()?;
+    module.add_class::<run::PyRun>()?;
+    module.add_class::<stepper::PyStepper>()?;
+    module.add_class::<stepper::PyCheckpoint>()?;
+    module.add("EzyError", py.get_type::<EzyError>())?;
+    module.add("StoppedError", py.get_type::<StoppedError>())?;
+    Ok(())
+}

@@ -1,0 +1,245 @@
+//! Scenes with their parameters.
+
+use crate::error::{StoppedError, wrong};
+use crate::inputs::{numbers, tables};
+use crate::run::PyRun;
+use crate::stepper::PyStepper;
+use ezy_core::integrate::{Method, MethodKind, Tolerance};
+use ezy_core::model::{ModelInfo, Scene, SceneEntry};
+use ezy_core::record::find_name;
+use ezy_core::simulate::{Outcome, Run, SetupError, Simulation};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// Samples, besides the first, of a run that says nothing of them: a figure shows no corners.
+const N_INTERVALS: f64 = 500.0;
+
+/// How long a run may go on before Python is asked for signals: nobody notices it, and it costs nothing.
+const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
+
+/// A scene with its parameters.
+#[pyclass(frozen, name = "Scene", module = "ezy")]
+pub(crate) struct PyScene {
+    model: &'static ModelInfo,
+    entry: &'static SceneEntry,
+    scene: Arc<dyn Scene>,
+}
+
+impl PyScene {
+    pub(crate) fn new(model: &'static ModelInfo, entry: &'static SceneEntry, scene: Arc<dyn Scene>) -> Self {
+        Self { model, entry, scene }
+    }
+
+    fn simulation<'s>(&self) -> Simulation<'s, Arc<dyn Scene>> {
+        Simulation::new(Arc::clone(&self.scene))
+    }
+}
+
+/// A method by its name and its setting.
+fn method(name: Option<&str>, rtol: Option<f64>, atol: Option<f64>, step: Option<f64>) -> PyResult<Method> {
+    let kind = match name {
+        Some(name) => {
+            let i = find_name("method", name, MethodKind::ALL.iter().map(|kind| kind.name())).map_err(wrong)?;
+            MethodKind::ALL[i]
+        }
+        None if step.is_some() => MethodKind::Rk4,
+        None => Method::default().kind(),
+    };
+    let name = kind.name();
+    let has_tolerance = rtol.or(atol).is_some();
+    if let Some(step) = step {
+        let method = kind.with_step(step).filter(|_| !has_tolerance);
+        return method.ok_or_else(|| {
+            wrong(match kind.with_step(step) {
+                Some(_) => format!("{name} has a fixed step and no tolerance: give `step` alone, or a method with a tolerance, such as \"dop853\""),
+                None => format!("{name} chooses the length of its steps: give `rtol` in place of `step`"),
+            })
+        });
+    }
+    let relative = rtol.unwrap_or(Tolerance::DEFAULT);
+    let tolerance = Tolerance::new(relative, atol.unwrap_or(relative));
+    kind.with_tolerance(tolerance).ok_or_else(|| {
+        wrong(format!("{name} has a fixed step and no tolerance: give `step`, in s, or a method with a tolerance, such as \"dop853\""))
+    })
+}
+
+#[pymethods]
+impl PyScene {
+    /// Name of the scene.
+    #[getter]
+    fn name(&self) -> &'static str {
+        self.entry.name
+    }
+
+    /// Present values of the parameters and counts.
+    #[getter]
+    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (all, info) = (PyDict::new(py), self.scene.info());
+        for (i, known) in info.parameters.iter().enumerate() {
+            all.set_item(known.name, self.scene.parameter(i))?;
+        }
+        for (i, known) in info.counts().iter().enumerate() {
+            all.set_item(known.name, self.scene.count(i))?;
+        }
+        Ok(all)
+    }
+
+    /// Simulates the scene and returns its run.
+    ///
+    /// until: end, s; that of the scene if not given. rtol, atol: tolerances of a method that chooses its steps; step: that of one that does not,
+    /// s. method: "dop853", "taylor", "radau", "rk4", … every: time between samples, s, a 500th of the run if neither it nor `at` is given; at: times of samples, s. start: values to begin with, by
+    /// name. inputs: numbers, or pairs of times and values, by name. estimate: runs once more and tells the error. work: integrates the works
+    /// of the effects.
+    ///
+    /// Raises EzyError for what cannot be run, and StoppedError for a run that ends before its time; its attribute `run` has everything up to
+    /// there.
+    #[pyo3(signature = (until=None, *, rtol=None, atol=None, step=None, method=None, every=None, at=None, start=None, inputs=None, project_start=false, estimate=false, work=false))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
+    fn run(
+        &self,
+        py: Python<'_>,
+        until: Option<f64>,
+        rtol: Option<f64>,
+        atol: Option<f64>,
+        step: Option<f64>,
+        method: Option<&str>,
+        every: Option<f64>,
+        at: Option<Vec<f64>>,
+        start: Option<&Bound<'_, PyDict>>,
+        inputs: Option<&Bound<'_, PyDict>>,
+        project_start: bool,
+        estimate: bool,
+        work: bool,
+    ) -> PyResult<PyRun> {
+        let (info, flag) = (self.scene.info(), AtomicBool::new(false));
+        let mut simulation =
+            self.simulation().method(self::method(method, rtol, atol, step)?).until(until.unwrap_or(info.until_s));
+        simulation = simulation.interrupted_by(&flag);
+        if info.n_outputs() > 0 {
+            simulation = simulation.outputs();
+        }
+        let until = until.unwrap_or(info.until_s);
+        let by_itself = (at.is_none() && until > 0.0).then_some(until / N_INTERVALS);
+        if let Some(every) = every.or(by_itself) {
+            simulation = simulation.every(every);
+        }
+        if let Some(at) = at {
+            simulation = simulation.at(at);
+        }
+        for (name, value) in numbers(start)? {
+            simulation = simulation.start(name, value);
+        }
+        for (name, table) in tables(inputs)? {
+            simulation = simulation.input(name, table);
+        }
+        if project_start {
+            simulation = simulation.project_start();
+        }
+        if estimate {
+            simulation = simulation.estimate_error();
+        }
+        if work {
+            simulation = simulation.work();
+        }
+        finished(py, simulate(py, simulation, &flag)?)
+    }
+
+    /// A stepper: the scene in fixed steps of `step` s by rk4, to be driven from outside.
+    ///
+    /// start and inputs as for `run`, inputs as numbers alone.
+    #[pyo3(signature = (step, *, start=None, inputs=None))]
+    fn stepper(
+        &self,
+        step: f64,
+        start: Option<&Bound<'_, PyDict>>,
+        inputs: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<PyStepper> {
+        let mut simulation = self.simulation().method(Method::rk4(step));
+        for (name, value) in numbers(start)? {
+            simulation = simulation.start(name, value);
+        }
+        for (name, value) in numbers(inputs)? {
+            simulation = simulation.input(name, value);
+        }
+        Ok(PyStepper::new(simulation.stepper().map_err(wrong)?))
+    }
+
+    /// Compares the equations of the scene with finite differences; raises EzyError where they differ.
+    fn check(&self, py: Python<'_>) -> PyResult<()> {
+        let scene = Arc::clone(&self.scene);
+        py.detach(|| ezy_core::testing::check_scene(&*scene)).map(|_| ()).map_err(wrong)
+    }
+
+    /// Names of the coordinates, velocities excepted.
+    #[getter]
+    fn coordinates<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        PyList::new(py, self.scene.info().coordinates.iter().map(|c| c.name.to_string()))
+    }
+
+    fn __repr__(&self) -> String {
+        let info = self.scene.info();
+        let values =
+            info.parameters.iter().enumerate().map(|(i, of)| format!("{}={:?}", of.name, self.scene.parameter(i)));
+        let counts = info.counts().iter().enumerate().map(|(i, of)| format!("{}={}", of.name, self.scene.count(i)));
+        let values: Vec<String> = counts.chain(values).collect();
+        format!("{}.{}({})", self.model.name.to_lowercase(), self.entry.name, values.join(", "))
+    }
+}
+
+/// Runs on a thread of its own, without Python, while this one asks for signals: Ctrl-C ends the run.
+fn simulate<'f>(py: Python<'_>, simulation: Simulation<'f, Arc<dyn Scene>>, flag: &'f AtomicBool) -> PyResult<Run> {
+    let (is_done, done) = (Mutex::new(false), Condvar::new());
+    let (run, signal) = std::thread::scope(|scope| {
+        let running = scope.spawn(|| {
+            let run = simulation.run();
+            *lock(&is_done) = true;
+            done.notify_all();
+            run
+        });
+        let mut signal = None;
+        while !py.detach(|| *wait(&done, lock(&is_done))) {
+            if let Err(error) = py.check_signals() {
+                signal = Some(error);
+                flag.store(true, Ordering::Relaxed);
+                break;
+            }
+        }
+        (py.detach(|| running.join()), signal)
+    });
+    let run = run.map_err(|_| PyRuntimeError::new_err("the run ended by a fault of EZY: please report it"))?;
+    match (signal, run) {
+        (Some(error), _) => Err(error),
+        (None, Err(error @ (SetupError::Motion(_) | SetupError::Record(_)))) => {
+            Err(StoppedError::new_err(error.to_string()))
+        }
+        (None, run) => run.map_err(wrong),
+    }
+}
+
+fn lock(of: &Mutex<bool>) -> MutexGuard<'_, bool> {
+    of.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Waits for the end, or for the time between signals.
+fn wait<'m>(done: &Condvar, is_done: MutexGuard<'m, bool>) -> MutexGuard<'m, bool> {
+    let waited = done.wait_timeout_while(is_done, BETWEEN_SIGNALS, |is_done| !*is_done);
+    waited.map_or_else(|poisoned| poisoned.into_inner().0, |(is_done, _)| is_done)
+}
+
+/// The run, or an exception that has it.
+fn finished(py: Python<'_>, run: Run) -> PyResult<PyRun> {
+    let text = format!("the run {}", run.outcome);
+    match &run.outcome {
+        outcome if outcome.reached_end() => Ok(PyRun::new(run)),
+        Outcome::Interrupted { .. } => Err(PyKeyboardInterrupt::new_err(text)),
+        _ => {
+            let error = StoppedError::new_err(text);
+            error.value(py).setattr("run", PyRun::new(run))?;
+            Err(error)
+        }
+    }
+}

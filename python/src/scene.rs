@@ -174,7 +174,7 @@ impl PyScene {
         py.detach(|| ezy_core::testing::check_scene(&*scene)).map(|_| ()).map_err(wrong)
     }
 
-    /// Names of the coordinates, velocities excepted.
+    /// Names of the coordinates.
     #[getter]
     fn coordinates<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         PyList::new(py, self.scene.info().coordinates.iter().map(|c| c.name.to_string()))

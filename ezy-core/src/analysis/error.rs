@@ -253,8 +253,10 @@ pub enum AnalysisError {
         /// Coordinates that could be held.
         names: String,
     },
-    /// Rows that have no value at a place.
-    #[error("the position constraints of scene `{scene}` are not finite at its start; take another start")]
+    /// Equations or slopes that have no value at a place.
+    #[error(
+        "the equations of scene `{scene}`, or their slopes, are not finite at its start; take another start, or a law that has a slope there"
+    )]
     NotFinite {
         /// Name of the scene.
         scene: &'static str,

@@ -60,6 +60,9 @@ fn newton<P: SceneRef>(
     longest: f64,
 ) -> Result<SteadyMotion, AnalysisError> {
     let mut at = equations.at(&point);
+    if !at.is_finite() {
+        return Err(AnalysisError::NotFinite { scene: equations.info.name });
+    }
     let scaling = Scaling::of(&at.jacobian, held);
     for n_steps in 0..MAX_STEPS {
         let residual = scaling.residual(&at);
@@ -69,7 +72,7 @@ fn newton<P: SceneRef>(
         for _ in 0..MAX_HALVINGS {
             let tried = equations.moved(&point, &step, share);
             let at = equations.at(&tried);
-            if scaling.residual(&at).norm() < norm {
+            if at.is_finite() && scaling.residual(&at).norm() < norm {
                 found = Some((tried, at));
                 break;
             }

@@ -70,7 +70,7 @@ pub(super) fn near<P: SceneRef>(
 
 /// Frees the scene of its stop.
 pub(super) fn release<P: SceneRef>(system: &mut System<P>) {
-    if let Some(stop) = &system.info().clone().stop {
+    if let Some(stop) = system.info().stop {
         switch(system, stop, None);
     }
 }

@@ -18,7 +18,7 @@ pub(super) fn relaxed<P: SceneRef>(
     let mass = equations.system.mass_matrix().to_vec();
     let mut point = start.clone();
     let mut at = equations.at(&point);
-    // 1/τ, 1/s
+    // 1/τ, 1/s²
     let mut rate = first_rate(&at, &mass, &equations.strides(&point, STRIDE));
     for _ in 0..MAX_STEPS {
         let mut resisted = at.jacobian.clone();
@@ -32,6 +32,9 @@ pub(super) fn relaxed<P: SceneRef>(
         if reach <= 1.0 {
             point = equations.moved(&point, &step, 1.0);
             at = equations.at(&point);
+            if !at.is_finite() {
+                return None;
+            }
             if reach <= NEAR {
                 return Some(point);
             }
@@ -41,7 +44,7 @@ pub(super) fn relaxed<P: SceneRef>(
     None
 }
 
-/// So much that nothing moves by more than a stride at first: not what forces do by themselves, and not what their slopes add.
+/// The first 1/τ: neither forces nor their slopes move anything by more than a stride.
 fn first_rate(at: &Evaluated, mass: &[f64], strides: &[f64]) -> f64 {
     let of = |i: usize| {
         let slope = at.jacobian.row(i).columns(0, mass.len()).amax();

@@ -129,6 +129,7 @@ impl<P: SceneRef> Collection<'_, P> {
                 AnalysisError::Start(_)
                 | AnalysisError::Motion(_)
                 | AnalysisError::NotFound { .. }
+                | AnalysisError::NotFinite { .. }
                 | AnalysisError::BeyondStop { .. }
                 | AnalysisError::Slides { .. },
             ) => return Ok(false),

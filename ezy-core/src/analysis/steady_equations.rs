@@ -29,6 +29,11 @@ pub(super) struct Evaluated {
 }
 
 impl Evaluated {
+    /// Whether all are numbers: singular values of others are none.
+    pub(super) fn is_finite(&self) -> bool {
+        self.residual.iter().chain(&self.jacobian).all(|x| x.is_finite())
+    }
+
     /// Whether rounding alone is left.
     pub(super) fn is_met(&self) -> bool {
         self.residual.iter().zip(&self.terms).all(|(r, terms)| r.abs() <= MET * terms)

@@ -131,3 +131,33 @@ fn analytic_inputs_that_act_nearly_alike_are_refused() {
         }
     }
 }
+
+crate::model! {
+    /// A block on a force whose slope is infinite where it starts.
+    pub model Steep {
+        param k: N = 3;
+        param a: m = 1;
+        body block { mass: 2, inertia: 1 }
+        slider rail: ground(0, 0) ~ block(0, 0) along ground(1, 0);
+        force at block(0, 0): (2 N - k*sqrt(block.x/a), 0);
+        start origin { block at (0, 0) angle 0; at rest; }
+        start aside { block at (0.1, 0) angle 0; at rest; }
+        scene begins { start origin; until 1 s; }
+        scene rests { start aside; until 1 s; }
+    }
+}
+
+#[test]
+fn analytic_infinite_slope_is_refused_and_beside_it_there_is_a_rest() {
+    let scene = steep::Begins::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    let error = SteadyMotion::near(&mut system, &start, &[]).unwrap_err();
+    assert!(matches!(error, AnalysisError::NotFinite { scene: "begins" }), "{error}");
+
+    let scene = steep::Rests::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap();
+    assert!((motion.state.q[0] - 4.0 / 9.0).abs() <= 1e-12, "{:?}", motion.state.q);
+}

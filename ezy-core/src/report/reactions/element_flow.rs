@@ -124,8 +124,7 @@ fn powers(scene: &dyn Scene, samples: &[Sample<'_>]) -> Vec<Vec<f64>> {
     let (info, n) = (scene.info(), scene.force_elements().len());
     let (n_inputs, n_states) = (info.n_inputs(), info.n_states());
     let mut c = vec![0.0; info.n_fixed()];
-    let mut parameters: Vec<f64> = (0..info.parameters.len()).map(|i| scene.parameter(i)).collect();
-    parameters.extend(info.switches.iter().map(|switch| switch.start));
+    let mut parameters = scene.parameters();
     let switches = info.parameters.len();
     scene.constants(&parameters, &mut c);
     let mut limits = vec![0.0; 2 * info.limited_skates.len()];

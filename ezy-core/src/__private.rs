@@ -1,6 +1,8 @@
 //! What the code calls that `model!` emits. No part of the interface: it changes with the macro.
 
 pub use crate::__access_to_derivatives as access_to_derivatives;
+pub use crate::__access_to_numbers as access_to_numbers;
+pub use crate::__access_to_recorded as access_to_recorded;
 pub use crate::__faulty_model as faulty_model;
 pub use crate::kernel::{array, array_mut, row, row_mut, sign};
 pub use crate::layout::{Bodies, Known, Layout, member};
@@ -20,5 +22,7 @@ pub use crate::model::{
     OutputInfo, ParameterInfo, PointInfo, RowInfo, Scene, SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start,
     StateInfo, StickSlipInfo, StopInfo, SwitchInfo, Vector,
 };
+#[cfg(feature = "export")]
+pub use crate::scalar::Recorded;
 pub use crate::scalar::Scalar;
 pub use ezy_derive::model as derive_model;

@@ -53,6 +53,7 @@
 //!   outputs by positions, velocities, first-order states, inputs and parameters.
 //! - With the feature `analysis`, `analysis::SteadyMotion` finds rest and steady motions, and `analysis::Linearization` their linear
 //!   equations and eigenvalues.
+//! - With the feature `export`, `export::source` writes the equations of a scene in C, Python (NumPy, SymPy, CasADi), Julia or MATLAB.
 //! - With the feature `optimise`, `optimise::Fit` finds parameters from measurements and `optimise::Search` the best ones.
 //! - [`report`] prints equations, tables and, with the feature `figures`, plots; [`report::drawing`] draws the mechanism.
 //! - [`dynamics::System`] answers for one state: accelerations, multipliers, projections, energies.
@@ -68,7 +69,7 @@
 
 #[doc(hidden)]
 pub mod __private;
-mod access_to_derivatives;
+mod access_to_numbers;
 pub mod accuracy;
 #[cfg(feature = "analysis")]
 pub mod analysis;
@@ -76,6 +77,8 @@ mod archive;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod dynamics;
+#[cfg(feature = "export")]
+pub mod export;
 mod faulty;
 pub mod integrate;
 mod kernel;

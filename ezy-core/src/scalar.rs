@@ -20,6 +20,8 @@ mod dual;
 mod lanes;
 mod plain;
 mod random;
+#[cfg(feature = "export")]
+mod recorded;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
@@ -27,6 +29,10 @@ pub use lanes::Lanes;
 pub(crate) use lanes::{in_widest, packed};
 pub(crate) use plain::{legible, legible_time, rounded};
 pub(crate) use random::SplitMix64;
+#[cfg(feature = "export")]
+pub use recorded::Recorded;
+#[cfg(feature = "export")]
+pub(crate) use recorded::{Function, Operand, Operation, Operator, Pair, Tape, record};
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,10 +1,17 @@
 //! The command `new` of `ezy`: a crate for a model of one's own.
 
+mod python;
+mod source;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ezy_core::cli::clap::{Arg, ArgMatches, Command, value_parser};
+use ezy_core::cli::clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use ezy_core::cli::{Failure, print};
+use source::Source;
+
+/// The model that a new crate starts from.
+const MODEL: (&str, &str) = ("src/my_mechanism.rs", include_str!("../template/src/my_mechanism.rs"));
 
 /// The files of a new crate, which is called `my-mechanism` in them.
 const FILES: [(&str, &str); 8] = [
@@ -13,13 +20,18 @@ const FILES: [(&str, &str); 8] = [
     (".gitignore", include_str!("../template/gitignore")),
     ("src/lib.rs", include_str!("../template/src/lib.rs")),
     ("src/main.rs", include_str!("../template/src/main.rs")),
-    ("src/my_mechanism.rs", include_str!("../template/src/my_mechanism.rs")),
+    MODEL,
     ("examples/controller.rs", include_str!("../template/examples/controller.rs")),
     ("tests/checks.rs", include_str!("../template/tests/checks.rs")),
 ];
 
-/// What stands for the source of `ezy-core` in the manifest.
-const SOURCE: &str = "path = \"../../ezy-core\"";
+/// What follows the name of a new crate's folder when it is written.
+const NEXT: &str = "\
+cargo run -- list                        # its scenes
+cargo run -- run mymechanism/coast --out coast.csv
+cargo run --example controller           # a run from Rust, steered by a law
+cargo test                               # equations against finite differences, energy
+";
 
 /// Names that Cargo or Rust keep for themselves, or that a crate which uses EZY cannot have.
 const TAKEN: [&str; 14] = [
@@ -54,15 +66,22 @@ pub fn command() -> Command {
     let ezy = Arg::new("ezy").long("ezy").value_name("SOURCE").help(
         "Where the crate finds EZY: its folder, a git address, or a version [default: the folder that this program was built in]",
     );
+    let python = Arg::new("python")
+        .long("python")
+        .action(ArgAction::SetTrue)
+        .help("Writes a Python module with the model and its command line, to be built by maturin or pip");
     Command::new("new")
         .about("Writes a crate for a model of your own: model file, command line, controller, test")
         .long_about(
             "Writes a crate for a model of your own: model file, command line, controller, test\n\n\
              The model file holds a small vehicle with comments, to be changed or replaced. The crate depends on `ezy-core` alone, stands \
-             wherever you want, and has the commands of this program for its model.",
+             wherever you want, and has the commands of this program for its model.\n\n\
+             With --python it is a Python module as well: `pip install .` builds it, and its scenes, runs and steppers are classes in \
+             Python. A test in Python stands in place of the controller and the test in Rust.",
         )
         .arg(path)
         .arg(ezy)
+        .arg(python)
 }
 
 /// Writes the crate and says what to do with it.
@@ -76,31 +95,33 @@ pub fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::wrong_use(message));
     };
     check_name(name).map_err(Failure::wrong_use)?;
+    let is_python = arguments.get_flag("python");
+    if is_python {
+        python::check_name(name).map_err(Failure::wrong_use)?;
+    }
     let source = Source::of(arguments.get_one::<String>("ezy").map(String::as_str)).map_err(Failure::wrong_use)?;
+    if is_python {
+        source.check_python().map_err(Failure::wrong_use)?;
+    }
     if path.exists() {
         return Err(Failure::wrong_use(format!("`{}` exists; choose another name, or move it away", path.display())));
     }
-    let placeholders = placeholders(name, &source.dependency);
-    for (file, text) in FILES {
+    let (files, next) = if is_python { (&python::FILES[..], python::NEXT) } else { (&FILES[..], NEXT) };
+    let placeholders = placeholders(name, &source);
+    for (file, text) in files {
         write(&path.join(filled(file, &placeholders)), &filled(text, &placeholders))?;
     }
-    if let Some(lock) = source.lock_file {
+    if let Some(lock) = source.lock_file(is_python) {
         // the versions that EZY is tested with; without them Cargo chooses
         write(&path.join("Cargo.lock"), &lock)?;
     }
-    print(&filled(
-        &format!(
-            "Wrote {}: a small vehicle to start from, in src/my_mechanism.rs. It takes ezy-core from {}.\n\n\
-             cd \"{}\"\n\
-             cargo run -- list                        # its scenes\n\
-             cargo run -- run mymechanism/coast --out coast.csv\n\
-             cargo run --example controller           # a run from Rust, steered by a law\n\
-             cargo test                               # equations against finite differences, energy\n",
-            path.display(),
-            source.dependency,
-            path.display(),
-        ),
-        &placeholders,
+    print(&format!(
+        "Wrote {}: a small vehicle to start from, in src/{}.rs. It takes ezy-core from {}.\n\ncd \"{}\"\n{}",
+        path.display(),
+        name.replace('-', "_"),
+        source.core,
+        path.display(),
+        filled(next, &placeholders),
     ))
 }
 
@@ -133,56 +154,8 @@ fn check_name(name: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Where a crate finds `ezy-core`.
-struct Source {
-    /// As it stands in the manifest.
-    dependency: String,
-    lock_file: Option<String>,
-}
-
-impl Source {
-    fn of(given: Option<&str>) -> Result<Self, String> {
-        let pair = |key: &str, value: &str| Self { dependency: format!("{key} = {}", quoted(value)), lock_file: None };
-        let Some(given) = given else {
-            let built_in = Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Self::folder);
-            return Ok(built_in.and_then(Result::ok).unwrap_or_else(|| pair("version", env!("CARGO_PKG_VERSION"))));
-        };
-        let is_version = given.starts_with(|c: char| c.is_ascii_digit()) && !given.contains(['/', '\\']);
-        match Self::folder(Path::new(given)) {
-            Ok(folder) => Ok(folder),
-            Err(_) if given.contains("://") => Ok(pair("git", given)),
-            Err(_) if is_version => Ok(pair("version", given)),
-            Err(_) if given.starts_with("git@") => {
-                let url = given.replacen(':', "/", 1);
-                Err(format!("Cargo takes no address like `{given}`; write `ssh://{url}`"))
-            }
-            Err(error) => Err(error),
-        }
-    }
-
-    fn folder(folder: &Path) -> Result<Self, String> {
-        let core = folder.join("ezy-core");
-        let core = core.join("Cargo.toml").exists().then(|| std::path::absolute(&core)).and_then(Result::ok);
-        let path = core.as_deref().and_then(Path::to_str);
-        let path = path
-            .ok_or_else(|| format!("`{}` is not the folder of EZY: it has no ezy-core/Cargo.toml", folder.display()))?;
-        let lock_file = fs::read_to_string(folder.join("Cargo.lock")).ok();
-        Ok(Self { dependency: format!("path = {}", quoted(path)), lock_file })
-    }
-}
-
-/// A string of TOML.
-fn quoted(text: &str) -> String {
-    let signs = text.chars().map(|c| match c {
-        '"' | '\\' => format!("\\{c}"),
-        c if c.is_control() => format!("\\u{:04x}", u32::from(c)),
-        c => c.to_string(),
-    });
-    format!("\"{}\"", signs.collect::<String>())
-}
-
-/// What stands for the names of the crate in its files, and for the source of `ezy-core`, with what takes its place.
-fn placeholders(name: &str, dependency: &str) -> [(&'static str, String); 5] {
+/// What stands for the names of the crate in its files, and for the sources of EZY, with what takes their place.
+fn placeholders(name: &str, source: &Source) -> [(&'static str, String); 6] {
     let capital = |part: &str| part[..1].to_uppercase() + &part[1..];
     let model: String = name.split(['-', '_']).map(capital).collect();
     [
@@ -190,7 +163,8 @@ fn placeholders(name: &str, dependency: &str) -> [(&'static str, String); 5] {
         ("my_mechanism", name.replace('-', "_")),
         ("mymechanism", model.to_lowercase()),
         ("MyMechanism", model),
-        (SOURCE, dependency.to_owned()),
+        (source::CORE, source.core.clone()),
+        (source::PYTHON, source.python.clone()),
     ]
 }
 

@@ -3,22 +3,25 @@
 use crate::error::wrong;
 use ezy_core::simulate::InputTable;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::PyMapping;
+
+/// Name and value of each entry.
+fn entries<'py>(given: Option<&Bound<'py, PyMapping>>) -> PyResult<Vec<(String, Bound<'py, PyAny>)>> {
+    given.map_or(Ok(Vec::new()), |given| given.items()?.extract())
+}
 
 /// Name and number of each entry.
-pub(crate) fn numbers(given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String, f64)>> {
-    let of = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
-        let name: String = name.extract()?;
+pub(crate) fn numbers(given: Option<&Bound<'_, PyMapping>>) -> PyResult<Vec<(String, f64)>> {
+    let of = |(name, value): (String, Bound<'_, PyAny>)| {
         let value = value.extract().map_err(|_| wrong(format!("`{name}` takes a number, but was given {value}")))?;
         Ok((name, value))
     };
-    given.into_iter().flatten().map(of).collect()
+    entries(given)?.into_iter().map(of).collect()
 }
 
 /// A constant, or a pair of times and values: the input is linear between them and keeps the last value.
-pub(crate) fn tables(given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String, InputTable)>> {
-    let of = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
-        let name: String = name.extract()?;
+pub(crate) fn tables(given: Option<&Bound<'_, PyMapping>>) -> PyResult<Vec<(String, InputTable)>> {
+    let of = |(name, value): (String, Bound<'_, PyAny>)| {
         if let Ok(value) = value.extract::<f64>() {
             return Ok((name, InputTable::from(value)));
         }
@@ -28,5 +31,5 @@ pub(crate) fn tables(given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String,
         let table = InputTable::new(times, values).map_err(|error| wrong(format!("input `{name}`: {error}")))?;
         Ok((name, table))
     };
-    given.into_iter().flatten().map(of).collect()
+    entries(given)?.into_iter().map(of).collect()
 }

@@ -9,18 +9,21 @@
 //! run["bar.phi"]          # a NumPy array
 //! ```
 
+mod environment;
 mod error;
 mod inputs;
 mod model;
 mod run;
 mod scene;
 mod stepper;
+mod stub;
 
 pub use error::{EzyError, StoppedError};
 
 use ezy_core::model::ModelInfo;
 use model::Model;
 use pyo3::prelude::*;
+use pyo3::types::{PyCFunction, PyDict, PyTuple};
 
 /// Adds models to a module: of one model its scenes, of several the models by their names in lower case; beside them the classes and exceptions.
 ///
@@ -47,5 +50,24 @@ pub fn add_models(module: &Bound<'_, PyModule>, models: &[&'static ModelInfo]) -
     module.add_class::<stepper::PyCheckpoint>()?;
     module.add("EzyError", py.get_type::<EzyError>())?;
     module.add("StoppedError", py.get_type::<StoppedError>())?;
-    Ok(())
+    add_functions(module, models)
+}
+
+/// What a module does besides its classes: `type_stub`, and names that are made, or missed, when they are asked for.
+fn add_functions(module: &Bound<'_, PyModule>, models: &[&'static ModelInfo]) -> PyResult<()> {
+    let py = module.py();
+    let known = models.to_vec();
+    let type_stub = move |_: &Bound<'_, PyTuple>, _: Option<&Bound<'_, PyDict>>| stub::text(&known);
+    let doc = c"The types of this module as the text of its `.pyi` file.";
+    module.add("type_stub", PyCFunction::new_closure(py, Some(c"type_stub"), Some(doc), type_stub)?)?;
+
+    let package = module.name()?.to_string();
+    let package = package.split('.').next().unwrap_or_default().to_owned();
+    let names: Vec<String> = module.index()?.extract()?;
+    let missing = move |arguments: &Bound<'_, PyTuple>, _: Option<&Bound<'_, PyDict>>| {
+        let name: String = arguments.get_item(0)?.extract()?;
+        environment::attribute(arguments.py(), &package, &name, &names)
+    };
+    let doc = c"Makes `Environment` when it is asked for: it needs Gymnasium.";
+    module.add("__getattr__", PyCFunction::new_closure(py, Some(c"__getattr__"), Some(doc), missing)?)
 }

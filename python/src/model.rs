@@ -10,7 +10,7 @@ use pyo3::types::{PyDict, PyList};
 use std::collections::BTreeMap;
 
 /// A model: its scenes are attributes.
-#[pyclass(frozen, module = "ezy")]
+#[pyclass(frozen, subclass, module = "ezy")]
 pub(crate) struct Model {
     info: &'static ModelInfo,
 }
@@ -69,7 +69,7 @@ impl Model {
 }
 
 /// A scene without parameters yet; called with some, it makes the scene.
-#[pyclass(frozen, module = "ezy")]
+#[pyclass(frozen, subclass, module = "ezy")]
 pub(crate) struct SceneType {
     model: &'static ModelInfo,
     entry: &'static SceneEntry,

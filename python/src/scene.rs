@@ -10,7 +10,7 @@ use ezy_core::record::find_name;
 use ezy_core::simulate::{Outcome, Run, SetupError, Simulation};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{PyDict, PyList, PyMapping};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -90,10 +90,17 @@ impl PyScene {
 
     /// Simulates the scene and returns its run.
     ///
-    /// until: end, s; that of the scene if not given. rtol, atol: tolerances of a method that chooses its steps; step: that of one that does not,
-    /// s. method: "dop853", "taylor", "radau", "rk4", … every: time between samples, s, a 500th of the run if neither it nor `at` is given; at: times of samples, s. start: values to begin with, by
-    /// name. inputs: numbers, or pairs of times and values, by name. estimate: runs once more and tells the error. work: integrates the works
-    /// of the effects.
+    /// until: end, s; that of the scene if not given
+    /// rtol, atol: tolerances of a method that chooses its steps
+    /// step: step of a method that does not, s
+    /// method: "dop853", "taylor", "radau", "rk4", …
+    /// every: time between samples, s; a 500th of the run if neither it nor `at` is given
+    /// at: times of samples, s
+    /// start: values to begin with, by name
+    /// inputs: numbers, or pairs of times and values, by name
+    /// project_start: moves values of the start that contradict the constraints to the nearest that do not
+    /// estimate: runs once more and tells the error
+    /// work: integrates the works of the effects
     ///
     /// Raises EzyError for what cannot be run, and StoppedError for a run that ends before its time; its attribute `run` has everything up to
     /// there.
@@ -109,8 +116,8 @@ impl PyScene {
         method: Option<&str>,
         every: Option<f64>,
         at: Option<Vec<f64>>,
-        start: Option<&Bound<'_, PyDict>>,
-        inputs: Option<&Bound<'_, PyDict>>,
+        start: Option<&Bound<'_, PyMapping>>,
+        inputs: Option<&Bound<'_, PyMapping>>,
         project_start: bool,
         estimate: bool,
         work: bool,
@@ -155,8 +162,8 @@ impl PyScene {
     fn stepper(
         &self,
         step: f64,
-        start: Option<&Bound<'_, PyDict>>,
-        inputs: Option<&Bound<'_, PyDict>>,
+        start: Option<&Bound<'_, PyMapping>>,
+        inputs: Option<&Bound<'_, PyMapping>>,
     ) -> PyResult<PyStepper> {
         let mut simulation = self.simulation().method(Method::rk4(step));
         for (name, value) in numbers(start)? {
@@ -172,6 +179,12 @@ impl PyScene {
     fn check(&self, py: Python<'_>) -> PyResult<()> {
         let scene = Arc::clone(&self.scene);
         py.detach(|| ezy_core::testing::check_scene(&*scene)).map(|_| ()).map_err(wrong)
+    }
+
+    /// End of a run that is given none, s.
+    #[getter]
+    fn until(&self) -> f64 {
+        self.scene.info().until_s
     }
 
     /// Names of the coordinates.

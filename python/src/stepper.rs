@@ -2,13 +2,13 @@
 
 use crate::error::{StoppedError, wrong};
 use crate::inputs::numbers;
-use ezy_core::model::Scene;
-use ezy_core::record::input_index;
+use ezy_core::model::{Scene, SceneInfo};
+use ezy_core::record::{find_name, input_index};
 use ezy_core::simulate::{Checkpoint, Stepper};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use std::collections::BTreeMap;
+use pyo3::types::{PyDict, PyMapping};
+use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// A scene in fixed steps. Inputs hold until they are set again.
@@ -16,6 +16,46 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub(crate) struct PyStepper {
     /// Locked because Python may call from any thread.
     stepper: Mutex<Stepper<'static, Arc<dyn Scene>>>,
+    places: Places,
+}
+
+/// Where a number of a stepper is.
+#[derive(Clone, Copy)]
+enum Place {
+    Time,
+    Coordinate(usize),
+    Velocity(usize),
+    Output(usize),
+    Input(usize),
+}
+
+/// The names that a stepper can be asked for, in this order, and their places.
+struct Places {
+    names: Vec<String>,
+    places: Vec<Place>,
+    by_name: HashMap<String, Place>,
+}
+
+impl Places {
+    fn new(info: &SceneInfo) -> Self {
+        let mut all = vec![("t".to_owned(), Place::Time)];
+        all.extend(info.coordinates.iter().enumerate().map(|(i, c)| (c.name.to_string(), Place::Coordinate(i))));
+        all.extend(info.velocities.iter().enumerate().map(|(i, c)| (c.name.to_string(), Place::Velocity(i))));
+        all.extend(info.outputs.iter().enumerate().map(|(i, o)| (o.name.to_string(), Place::Output(i))));
+        all.extend(info.inputs.iter().enumerate().map(|(i, o)| (o.name.to_owned(), Place::Input(i))));
+        // of two that share a name the first is meant, as in the columns of a run
+        let by_name = all.iter().rev().cloned().collect();
+        let (names, places) = all.into_iter().unzip();
+        Self { names, places, by_name }
+    }
+
+    fn find(&self, name: &str) -> PyResult<Place> {
+        if let Some(place) = self.by_name.get(name) {
+            return Ok(*place);
+        }
+        let known = self.names.iter().map(String::as_str);
+        Ok(self.places[find_name("name", name, known).map_err(wrong)?])
+    }
 }
 
 /// Where a stepper was: from there the same steps lead to the same bits.
@@ -26,7 +66,8 @@ pub(crate) struct PyCheckpoint {
 
 impl PyStepper {
     pub(crate) fn new(stepper: Stepper<'static, Arc<dyn Scene>>) -> Self {
-        Self { stepper: Mutex::new(stepper) }
+        let places = Places::new(stepper.info());
+        Self { stepper: Mutex::new(stepper), places }
     }
 
     /// `&mut self` excludes others: there is nothing to wait for.
@@ -56,14 +97,14 @@ impl PyStepper {
             }
             Ok((input_index(&info, &name).map_err(wrong)?, value))
         };
-        let all = numbers(inputs)?.into_iter().map(of).collect::<PyResult<Vec<_>>>()?;
+        let all = numbers(inputs.map(|all| all.as_mapping()))?.into_iter().map(of).collect::<PyResult<Vec<_>>>()?;
         all.into_iter().for_each(|(i, value)| self.inner().inputs_mut()[i] = value);
         Ok(())
     }
 
     /// Goes back to the start, with these values by name if there are any.
     #[pyo3(signature = (start=None))]
-    fn reset(&mut self, start: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
+    fn reset(&mut self, start: Option<&Bound<'_, PyMapping>>) -> PyResult<()> {
         let start = numbers(start)?;
         if start.is_empty() {
             self.inner().reset();
@@ -71,6 +112,19 @@ impl PyStepper {
         }
         let given: Vec<(&str, f64)> = start.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         self.inner().reset_with(&given).map_err(wrong)
+    }
+
+    /// The present value of a coordinate, velocity, output or input, or of the time `t`, by its name.
+    fn __getitem__(&mut self, name: &str) -> PyResult<f64> {
+        let place = self.places.find(name)?;
+        let stepper = self.inner();
+        Ok(match place {
+            Place::Time => stepper.state().t,
+            Place::Coordinate(i) => stepper.state().q[i],
+            Place::Velocity(i) => stepper.state().v[i],
+            Place::Output(i) => stepper.outputs()[i],
+            Place::Input(i) => stepper.inputs()[i],
+        })
     }
 
     /// Where it is now.

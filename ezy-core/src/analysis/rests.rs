@@ -3,12 +3,15 @@
 use super::error::AnalysisError;
 use super::one_sided;
 use super::steady_motion::SteadyMotion;
-use super::tolerances::rests::{SAME, SEED, UNWOUND};
+use super::tolerances::rests::{SAME, UNWOUND};
 use crate::dynamics::{State, System};
 use crate::model::{Equations as _, Name, SceneInfo, SceneRef, Start};
 use crate::scalar::SplitMix64;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
+
+/// First state of the generator of starts: any number serves, so long as it stays.
+const SEED: u64 = 0x5EED;
 
 /// The rests that a number of starts lead to.
 #[derive(Debug, Clone, PartialEq)]

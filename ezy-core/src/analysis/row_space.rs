@@ -1,9 +1,12 @@
 //! What the rows of a matrix hold, and what they leave free: by singular values, of large matrices by sparse factors.
 
-use super::tolerances::row_space::{DAMPING, LARGEST_DENSE, LEFT, PASSES, SEED, SPARE};
+use super::tolerances::row_space::{DAMPING, LARGEST_DENSE, LEFT, PASSES, SPARE};
 use crate::linalg::{HAS_SPARSE, KktFactorization as _, SparseKkt};
 use crate::scalar::SplitMix64;
 use nalgebra::{DMatrix, DVector, DVectorView, Dyn, SVD};
+
+/// First state of the generator of directions: any number serves, so long as it stays.
+const SEED: u64 = 0xF4EE;
 
 /// A matrix A, `m × n`, whose rows have about length one.
 pub(super) enum RowSpace {

@@ -105,21 +105,11 @@ pub(crate) mod row_space {
     /// Unit: directions.
     /// Test: `cross_sparse_rows_leave_the_same_free`.
     pub(crate) const SPARE: usize = 8;
-
-    /// First state of the generator of directions: any number serves, so long as it stays.
-    /// Unit: 1.
-    /// Test: `cross_sparse_rows_leave_the_same_free`.
-    pub(crate) const SEED: u64 = 0xF4EE;
 }
 
 /// All rests from many starts.
 pub(crate) mod rests {
     use super::search::MET;
-
-    /// First state of the generator of starts: any number serves, so long as it stays.
-    /// Unit: 1.
-    /// Test: `analytic_double_pendulum_has_four_rests`.
-    pub(crate) const SEED: u64 = 0x5EED;
 
     /// Forces at the same place after whole turns differ by less, as a share of the largest of all starts, unless a spring was wound.
     /// Unit: 1.
@@ -204,7 +194,7 @@ pub(crate) mod continuation {
 
     /// Branches at most.
     /// Unit: branches.
-    /// Test: `invariant_endless_branch_says_that_it_goes_on`.
+    /// Test: `analytic_sprung_rod_buckles_at_a_branch_point`.
     pub(crate) const MAX_BRANCHES: usize = 32;
 }
 
@@ -213,7 +203,7 @@ pub(crate) mod workspace {
     /// Singular values of position rows that are scaled to one, as a share of the largest: below it a row repeats others. Rounding leaves 1e-15
     /// of those that are zero.
     /// Unit: 1.
-    /// Test: `analytic_parallelogram_has_change_points`.
+    /// Test: `analytic_rails_at_a_small_angle_hold_the_block_or_are_one`.
     pub(crate) const INDEPENDENT: f64 = 1e-10;
 
     /// Component of the tangent of a curve, a unit vector, along a coordinate: below it that does not change.
@@ -306,7 +296,7 @@ pub(crate) mod periodic {
 
     /// Where twice as many steps change M by less of its largest entry, they are enough.
     /// Unit: 1.
-    /// Test: `analytic_van_der_pol_by_liouville`.
+    /// Test: `analytic_driven_oscillator_has_one_motion`.
     pub(crate) const ENOUGH: f64 = 1e-9;
 
     /// A modulus nearer to one is one: a double multiplier splits by the root of what runs and collocation leave, 1e-12.
@@ -432,7 +422,7 @@ pub(crate) mod transfer {
 
     /// Newton steps for a frequency at most: from an eigenvalue that is right to 1e-7, two suffice.
     /// Unit: steps.
-    /// Test: `analytic_margins_of_a_third_order_loop`.
+    /// Test: `analytic_bandwidth_beside_a_far_pole`.
     pub(crate) const POLISH: usize = 5;
 
     /// Levels of the search for the largest magnitude at most: it converges as its square, so that five or six suffice.

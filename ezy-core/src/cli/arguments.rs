@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
+use super::export_arguments::ExportArguments;
 use super::inverse_arguments::InverseArguments;
 use super::motion_arguments::MotionArguments;
 use super::periodic_arguments::PeriodicArguments;
@@ -35,6 +36,7 @@ pub(super) enum Command {
     Inverse(InverseArguments),
     Periodic(PeriodicArguments),
     Workspace(WorkspaceArguments),
+    Export(ExportArguments),
     Completions(CompletionsArguments),
     Man(ManArguments),
 }

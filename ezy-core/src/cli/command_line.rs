@@ -12,8 +12,8 @@ use super::failure::Failure;
 use super::interruption::Interruption;
 use super::leads::lead_on;
 use super::{
-    Models, accuracy, animate, check, compare, equilibrium, gallery, inverse, linearize, list, merge, periodic, plot,
-    reactions, run, shell, show, sketch, sweep, workspace,
+    Models, accuracy, animate, check, compare, equilibrium, export, gallery, inverse, linearize, list, merge, periodic,
+    plot, reactions, run, shell, show, sketch, sweep, workspace,
 };
 use crate::model::ModelInfo;
 
@@ -55,7 +55,7 @@ const VERSION: &str = concat!("with ezy-core ", env!("CARGO_PKG_VERSION"));
 const EXIT_STATUS: &str = "Exit status: 0 done; 1 stopped before the end, 130 by Ctrl-C, 143 by SIGTERM (what was computed is kept); 2 wrong use.";
 
 impl<'m> CommandLine<'m> {
-    /// The commands `list`, `show`, `run`, `plot`, `compare`, `reactions`, `sweep`, `merge`, `equilibrium`, `linearize`, `inverse`, `periodic`, `workspace`, `animate`, `sketch`,
+    /// The commands `list`, `show`, `run`, `plot`, `compare`, `reactions`, `sweep`, `merge`, `equilibrium`, `linearize`, `inverse`, `periodic`, `workspace`, `export`, `animate`, `sketch`,
     /// `gallery`, `check`, `accuracy`, `completions`, `man` and `help` for `models`.
     pub fn new(models: &'m [&'static ModelInfo]) -> Self {
         Self { models, about: ABOUT, version: VERSION, commands: Vec::new(), default: None }
@@ -134,6 +134,7 @@ impl<'m> CommandLine<'m> {
             Command::Equilibrium(arguments) => equilibrium::equilibrium(self.models, &arguments),
             Command::Inverse(arguments) => inverse::inverse(self.models, &arguments),
             Command::Periodic(arguments) => periodic::periodic(self.models, &arguments),
+            Command::Export(arguments) => export::export(self.models, &arguments),
             Command::Workspace(arguments) => workspace::workspace(self.models, &arguments),
             Command::Completions(arguments) => shell::completions(self.models, self.clap(program), &arguments),
             Command::Man(arguments) => shell::man(self.clap(program), &arguments),
@@ -165,6 +166,7 @@ impl<'m> CommandLine<'m> {
                 "equilibrium" => command.after_help(examples.of_equilibrium()),
                 "periodic" => command.after_help(examples.of_periodic()),
                 "inverse" => command.after_help(examples.of_inverse()),
+                "export" => command.after_help(examples.of_export()),
                 "workspace" => command.after_help(examples.of_workspace()),
                 _ => command,
             });

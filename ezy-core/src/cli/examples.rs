@@ -244,6 +244,16 @@ impl Examples {
         ])
     }
 
+    pub(super) fn of_export(&self) -> String {
+        let Self { model, scene, .. } = self;
+        self.lines(&[
+            (format!("export c {scene} --out equations.c"), "C without a library"),
+            (format!("export numpy {scene}"), "a Python module that takes and returns arrays"),
+            (format!("export matlab {model} --out equations"), "all scenes of a model, into a folder"),
+            (format!("export latex {scene}"), "a document"),
+        ])
+    }
+
     pub(super) fn of_workspace(&self) -> String {
         let angle = self.info.as_ref().and_then(|info| info.coordinates.iter().find(|c| c.is_angle()));
         let over = angle.map_or("BODY.phi", |angle| &*angle.name);

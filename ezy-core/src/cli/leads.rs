@@ -69,7 +69,7 @@ const VALUES: [(&str, &str, &str); 14] = [
 ];
 
 /// Commands of other tools, and the command here with what to write.
-const COMMANDS: [(&str, &str, &str); 21] = [
+const COMMANDS: [(&str, &str, &str); 22] = [
     (
         "bifurcation bifurcations continuation continue branch branches fold folds buckle buckling snap-through hopf",
         "equilibrium",
@@ -82,7 +82,7 @@ const COMMANDS: [(&str, &str, &str); 21] = [
         "workspace",
         "workspace MODEL/SCENE --over COORDINATE=START:END:STEP",
     ),
-    ("simulate sim solve integrate start exec execute go compute motion csv export save", "run", "run MODEL/SCENE"),
+    ("simulate sim solve integrate start exec execute go compute motion csv save", "run", "run MODEL/SCENE"),
     ("draw picture diagram drawing view viewer svg image", "sketch", "sketch MODEL/SCENE"),
     ("gif animation anim movie video render play player film", "animate", "animate MODEL/SCENE"),
     ("graph chart figure curve curves visualize visualise", "plot", "plot MODEL/SCENE COLUMN"),
@@ -113,6 +113,11 @@ const COMMANDS: [(&str, &str, &str); 21] = [
         "equations eqs equation print latex tex describe jacobian mass-matrix constraints derive symbolic",
         "show",
         "show MODEL/SCENE",
+    ),
+    (
+        "codegen generate-code code lambdify to-c cpp numpy sympy casadi julia matlab octave",
+        "export",
+        "export LANGUAGE MODEL/SCENE",
     ),
     ("ls models model scenes scene dir info dof dofs", "list", "list"),
     ("test verify validate selftest assert", "check", "check MODEL"),

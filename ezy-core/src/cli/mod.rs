@@ -1,4 +1,4 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `reactions`, `sweep`, `merge`, `equilibrium`, `linearize`, `inverse`, `periodic`, `workspace`, `animate`,
+//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `reactions`, `sweep`, `merge`, `equilibrium`, `linearize`, `inverse`, `periodic`, `workspace`, `export`, `animate`,
 //! `sketch`, `gallery`, `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:
@@ -29,6 +29,8 @@ mod equilibrium;
 #[cfg(feature = "analysis")]
 mod equilibrium_text;
 mod examples;
+mod export;
+mod export_arguments;
 mod failure;
 mod gallery;
 mod interruption;

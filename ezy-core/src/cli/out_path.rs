@@ -5,7 +5,8 @@ use std::path::Path;
 use super::failure::Failure;
 
 /// Endings of files, which are no folders.
-const OF_FILES: [&str; 11] = ["csv", "gif", "htm", "html", "json", "md", "pdf", "png", "svg", "txt", "xlsx"];
+const OF_FILES: [&str; 17] =
+    ["c", "csv", "fmu", "gif", "htm", "html", "jl", "json", "m", "md", "pdf", "png", "py", "svg", "tex", "txt", "xlsx"];
 
 /// The ending of a name in small letters; none of a device, a pipe or a name without one.
 pub(super) fn ending(path: &Path) -> Option<String> {

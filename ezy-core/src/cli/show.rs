@@ -45,6 +45,13 @@ pub(super) fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), 
     }
 }
 
+/// The equations of a scene as a document by itself.
+#[cfg(feature = "export")]
+pub(super) fn latex_document(info: &SceneInfo) -> String {
+    let content = latex::scene(info);
+    format!("\\documentclass{{article}}\n\\usepackage{{amsmath}}\n\\begin{{document}}\n{content}\\end{{document}}\n")
+}
+
 /// Independent positions and velocities at the start: all less rows that hold, which are independent in a sound scene.
 fn freedom(info: &SceneInfo) -> [usize; 2] {
     info.n_rows_at_start().map(|rows| info.n_velocities().saturating_sub(rows))

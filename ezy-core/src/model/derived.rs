@@ -3,6 +3,8 @@
 #[cfg(feature = "analysis")]
 use super::EquationsWithDerivatives;
 use super::{ElementInfo, Equations, EquationsInLanes, ForceElement, List, PreciseScene, Series};
+#[cfg(feature = "export")]
+use crate::scalar::Recorded;
 
 /// What a scene may know besides its equations of motion; `model!` derives it.
 ///
@@ -103,6 +105,13 @@ pub trait Derived: Equations<f64> {
     /// written by hand for any [`Scalar`](crate::scalar::Scalar) returns `Some(self)`.
     #[cfg(feature = "analysis")]
     fn with_derivatives(&self) -> Option<&dyn EquationsWithDerivatives> {
+        None
+    }
+
+    /// Its kernels on numbers that record what is computed (feature `export`). Scenes that `model!` generates have them; one written by hand for
+    /// any [`Scalar`](crate::scalar::Scalar) returns `Some(self)`.
+    #[cfg(feature = "export")]
+    fn recorded(&self) -> Option<&dyn Equations<Recorded>> {
         None
     }
 

@@ -58,7 +58,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
             #elements
             #force_elements
             #in_lanes
-            ezy::access_to_derivatives! {}
+            ezy::access_to_numbers! {}
             #access_to_series
         }
 

@@ -116,6 +116,7 @@ fn is_built(words: &[String]) -> bool {
         | ["cargo", "run", "--features", "analysis", ..] => {
             cfg!(feature = "analysis")
         }
+        ["ezy", "export", ..] => cfg!(feature = "export"),
         ["cargo", "run", "--features", "optimise", ..] => cfg!(feature = "optimise"),
         _ => !words.contains(&"--features"),
     }

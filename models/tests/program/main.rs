@@ -4,6 +4,8 @@ mod cli;
 mod equations;
 #[cfg(feature = "analysis")]
 mod equilibrium;
+#[cfg(feature = "export")]
+mod export;
 mod faults;
 mod guide;
 mod hostile;

@@ -83,3 +83,80 @@ fn invariant_new_refuses_a_bad_name_a_folder_that_exists_and_a_source_that_is_no
     assert_wrong_use(&["new", "."], "`.` names no new folder");
     assert_eq!(files(&folder), Vec::<PathBuf>::new());
 }
+
+#[test]
+fn invariant_new_python_module_has_its_name_in_all_places() {
+    let folder = directory("new_python").join("my-own_robot2");
+    let done = ezy(&["new", "--python", folder.to_str().unwrap()]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    assert!(text(&done.stdout).contains("my_own_robot2.coast().run()"), "{}", text(&done.stdout));
+    let written = files(&folder);
+    assert_eq!(written.len(), 10, "{written:?}");
+    for file in &written {
+        let content = fs::read_to_string(file).unwrap().to_lowercase();
+        for placeholder in ["my_mechanism", "my-mechanism", "mymechanism", "\"../"] {
+            assert!(!content.contains(placeholder), "{placeholder} in {}", file.display());
+        }
+    }
+    let of = |file: &str| fs::read_to_string(folder.join(file)).unwrap();
+    let manifest = of("Cargo.toml");
+    let ezy = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    for (name, path) in [("ezy-core", ezy.join("ezy-core")), ("ezy-python", ezy.join("python"))] {
+        assert!(manifest.contains(&format!("{name} = {{ path = {path:?}")), "{manifest}");
+    }
+    for part in ["name = \"my_own_robot2\"", "crate-type = [\"cdylib\"]", "abi3-py310"] {
+        assert!(manifest.contains(part), "{manifest}");
+    }
+    assert!(
+        of("pyproject.toml").contains("build-backend = \"maturin\"") && of("pyproject.toml").contains("my-own_robot2")
+    );
+    assert!(of("src/lib.rs").contains("#[pymodule(name = \"my_own_robot2\")]"));
+    assert!(of("tests/test_my_own_robot2.py").contains("import my_own_robot2\n"));
+}
+
+/// What is written with and without Python starts from one model, and all modules have the classes of one file.
+#[test]
+fn cross_new_python_module_has_the_model_and_the_types_of_the_others() {
+    let folder = directory("new_python_same");
+    let of = |name: &str| folder.join(name).join("tricycle");
+    for (name, option) in [("rust", None), ("python", Some("--python"))] {
+        let arguments: Vec<&str> = ["new"].into_iter().chain(option).collect();
+        assert!(ezy(&[&arguments[..], &[of(name).to_str().unwrap()]].concat()).status.success());
+    }
+    let model = |name: &str| fs::read_to_string(of(name).join("src/tricycle.rs")).unwrap();
+    assert_eq!(model("rust"), model("python"));
+    let classes = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("python/src/classes.pyi");
+    let types = fs::read_to_string(of("python").join("tricycle.pyi")).unwrap();
+    let first = "# Written by `type_stub()` of this module.\n";
+    let classes = fs::read_to_string(classes).unwrap();
+    assert!(types.starts_with(&(first.to_owned() + &classes)), "copy python/src/classes.pyi to the template");
+}
+
+#[test]
+fn invariant_new_python_module_finds_ezy_where_it_is_told() {
+    let folder = directory("new_python_from");
+    let (from_git, without) = (folder.join("robot"), folder.join("ezy"));
+    let url = "https://example.org/ezy.git";
+    assert!(ezy(&["new", "--python", from_git.to_str().unwrap(), "--ezy", url]).status.success());
+    let manifest = fs::read_to_string(from_git.join("Cargo.toml")).unwrap();
+    assert!(manifest.contains(&format!("ezy-python = {{ git = \"{url}\" }}")), "{manifest}");
+
+    fs::create_dir_all(without.join("ezy-core")).unwrap();
+    fs::write(without.join("ezy-core/Cargo.toml"), "").unwrap();
+    let other = folder.join("other");
+    let arguments = ["new", "--python", other.to_str().unwrap(), "--ezy", without.to_str().unwrap()];
+    assert_wrong_use(&arguments, "has no python/Cargo.toml");
+    assert!(!other.exists());
+}
+
+/// Python's own words and modules; a crate without Python may have them.
+#[test]
+fn invariant_new_refuses_what_python_cannot_import() {
+    let folder = directory("new_python_refused");
+    let of = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    for name in ["lambda", "random", "numpy", "ezy"] {
+        assert_wrong_use(&["new", "--python", &of(name)], &format!("choose another, such as `my-{name}`"));
+    }
+    assert_eq!(files(&folder), Vec::<PathBuf>::new());
+    assert!(ezy(&["new", &of("lambda")]).status.success());
+}

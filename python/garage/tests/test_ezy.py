@@ -8,6 +8,7 @@ import resource
 import signal
 import threading
 import time
+import types
 
 import ezy
 import numpy as np
@@ -62,7 +63,8 @@ def test_estimate_and_check():
 @pytest.mark.parametrize(
     "call, words",
     [
-        (lambda: ezy.ezyroler, "ezyroler"),
+        (lambda: ezy.ezyroler, "did you mean `ezyroller`?"),
+        (lambda: ezy.ezyroller.driven().stepper(1e-3)["bar.fi"], "did you mean `bar.phi`?"),
         (lambda: ezy.ezyroller.drivn, "did you mean `driven`?"),
         (lambda: ezy.ezyroller.driven(omga=3), "did you mean `omega`?"),
         (lambda: ezy.ezyroller.driven(m0="three"), "`m0` takes a number"),
@@ -126,6 +128,16 @@ def test_stepper_is_the_run_of_rk4():
     run = ezy.ezyroller.driven().run(until=1, step=1e-2)
     names = stepper.names["q"]
     assert np.array_equal(stepper.q, [run[name][-1] for name in names])
+
+
+def test_stepper_has_its_numbers_by_name():
+    stepper = ezy.ezyroller.ridden().stepper(1e-2, start=types.MappingProxyType({"bar.phi": 0.2}))
+    stepper.step(10, torque=0.3)
+    names, values = stepper.names, {"q": stepper.q, "v": stepper.v, "outputs": stepper.outputs}
+    for kind in ["q", "v", "outputs"]:
+        assert [stepper[name] for name in names[kind]] == values[kind].tolist()
+    assert stepper["t"] == stepper.t and stepper["torque"] == 0.3
+    assert ezy.ezyroller.ridden().until == 10
 
 
 def test_threads_run_beside_each_other():

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const LAYERS: [&str; 4] = ["dynamics", "linalg", "integrate", "simulate"];
+const LAYERS: [&str; 5] = ["dynamics", "linalg", "integrate", "simulate", "analysis"];
 
 /// Numbers of a method that stand with its formulas: coefficients.
 const WITH_FORMULAS: [&str; 1] = ["tableau.rs"];
@@ -13,8 +13,8 @@ const WITH_FORMULAS: [&str; 1] = ["tableau.rs"];
 const WITH_NAMELESS: &str = "integrate";
 
 /// Numbers that are no thresholds: the modes of a scene, a place in a group of inputs, what mathematics gives, sizes and orders of methods, and
-/// public numbers.
-const NO_THRESHOLDS: [&str; 21] = [
+/// public numbers; of `analysis` the parameters of the ITP method, nodes, shares of a period, and first states of generators.
+const NO_THRESHOLDS: [&str; 29] = [
     "FREE",
     "HOLDS",
     "SLIDES_LEFT",
@@ -36,6 +36,14 @@ const NO_THRESHOLDS: [&str; 21] = [
     "TWO_BODIES",
     "N_LAST",
     "LOG_NOTHING",
+    "KAPPA_1",
+    "KAPPA_2",
+    "LOST",
+    "BETWEEN",
+    "SHARES",
+    "N_OF_FRAME",
+    "N_STAGES",
+    "SEED",
 ];
 
 const NUMBERS: [&str; 8] = ["f64", "f32", "usize", "u32", "u64", "i32", "std::ops::Range<f64>", "Range<f64>"];

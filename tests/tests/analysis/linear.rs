@@ -375,3 +375,34 @@ fn cross_multipliers_on_a_circle_are_those_of_its_eigenvalues() {
         assert!((found - exact).norm() <= tolerance * largest, "{found} for {exact}");
     }
 }
+
+model! {
+    /// A block on a spring, whose damper leaves it slow: poles at some −k/c and −c/m.
+    pub model Damped {
+        param m: kg = 1e-10; param c: N*s/m = 1; param k: N/m = 1;
+        input push: N = 0;
+        body block { mass: m, inertia: 1 }
+        slider guide: ground(0, 0) ~ block(0, 0) along ground(1, 0);
+        force at block(0, 0): (push - k*block.x - c*block.vx, 0);
+        output place: m = block.x;
+        start still { at rest; }
+        scene rests { start still; until 1 s; }
+    }
+}
+
+/// (k − m ω²)² + c² ω² = 2 k², beside a pole ten thousand million times as far away.
+#[test]
+fn analytic_bandwidth_beside_a_far_pole() {
+    let scene = damped::Rests::default();
+    let (m, c, k) = (scene.m, scene.c, scene.k);
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap();
+    let of = Linearization::of(&mut system, &motion).unwrap().transfer("push", "place").unwrap();
+    let b = c * c - 2.0 * k * m;
+    let exact = (2.0 * k * k / (b + (b * b + 4.0 * m * m * k * k).sqrt())).sqrt();
+    // ε of the far pole
+    let tolerance = f64::EPSILON * c * c / (k * m);
+    let found = of.bandwidth().unwrap();
+    assert!((found / exact - 1.0).abs() <= tolerance, "{found} rad/s for {exact}");
+}

@@ -125,6 +125,8 @@ fn analytic_driven_oscillator_has_one_motion() {
         let [x, v] = [f * re / size, f * w * im / size];
         let off = [motion.start().q[0] - x, motion.start().v[0] - v];
         assert!(off.iter().all(|off| off.abs() <= RETURN) && motion.n_steps <= 3, "{off:?} {}", motion.n_steps);
+        // 400 steps, which are enough, have three nodes each
+        assert_eq!(motion.states.len(), 3 * 400 + 2, "{:e}", motion.change);
         let root = nalgebra::Complex::new(0.25 * c * c - k, 0.0).sqrt();
         for sign in [1.0, -1.0] {
             let exact = ((root * sign - 0.5 * c) * motion.period).exp();

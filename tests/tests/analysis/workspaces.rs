@@ -80,6 +80,19 @@ model! {
     }
 }
 
+model! {
+    /// A block on two rails at a small angle.
+    model Rails {
+        param angle: rad = 0.1;
+        body block { mass: 1, inertia: 1 }
+        constraint level: block.phi = 0;
+        constraint one: block.y = 0;
+        constraint two: block.y + angle*block.x = 0;
+        start home { block at (0, 0) angle 0; at rest; }
+        scene free { start home; until 1 s; }
+    }
+}
+
 fn axis(name: &str, from: f64, to: f64, n: usize) -> Axis {
     let values = (0..=n).map(|i| from + (to - from) * i as f64 / n as f64).collect();
     Axis { name: name.to_owned(), values }
@@ -182,6 +195,17 @@ fn analytic_parallelogram_has_change_points() {
         let q = q.as_ref().expect("it turns round");
         near(q[5], 0.0, PLACE);
         near(q[8], *theta, PLACE);
+    }
+}
+
+/// Rows at an angle of x have the ratio x/2 of their singular values: rails are one below 1e-10.
+#[test]
+fn analytic_rails_at_a_small_angle_hold_the_block_or_are_one() {
+    for (angle, is_held) in [(2e-9, true), (2e-11, false)] {
+        match of(&rails::Free { angle }, &[axis("block.x", -1.0, 1.0, 5)], &[], &[]) {
+            Ok(found) => assert!(!is_held && found.branches[0].positions.iter().all(Option::is_some), "{found:?}"),
+            Err(error) => assert!(is_held && matches!(error, AnalysisError::Fixed { .. }), "{angle}: {error}"),
+        }
     }
 }
 

@@ -324,7 +324,7 @@ impl ezy::Derived for Swing {
             },
         ]
     }
-    ezy::access_to_derivatives! {}
+    ezy::access_to_numbers! {}
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)
     }

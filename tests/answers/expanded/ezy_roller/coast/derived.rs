@@ -227,7 +227,7 @@ impl ezy::Derived for Coast {
     fn in_lanes(&self) -> ::core::option::Option<&dyn ezy::EquationsInLanes> {
         ::core::option::Option::Some(self)
     }
-    ezy::access_to_derivatives! {}
+    ezy::access_to_numbers! {}
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)
     }

@@ -1,0 +1,88 @@
+//! The command `export`. Without the feature of this name, how to get it.
+
+use super::Models;
+use super::export_arguments::ExportArguments;
+use super::failure::Failure;
+
+#[cfg(not(feature = "export"))]
+pub(super) fn export(_: Models<'_>, _: &ExportArguments) -> Result<(), Failure> {
+    Err(Failure::wrong_use(
+        "this program was built without export; add \"export\" to the features of ezy-core in Cargo.toml: \
+         ezy-core = { …, features = [\"cli\", \"export\"] }",
+    ))
+}
+
+#[cfg(feature = "export")]
+pub(super) use with_languages::export;
+
+#[cfg(feature = "export")]
+mod with_languages {
+    use std::path::PathBuf;
+
+    use super::super::animate::write;
+    use super::super::export_arguments::Target;
+    use super::super::failure::print;
+    use super::super::motion::refused;
+    use super::super::names::{check_assignments, scene_with};
+    use super::super::out_path::{check_ending, check_folder_name};
+    use super::super::selection::find;
+    use super::super::show;
+    use super::{ExportArguments, Failure, Models};
+    use crate::export::{Language, Start, file_name, source};
+    use crate::model::{ModelInfo, SceneEntry};
+    use crate::simulate::Simulation;
+
+    pub(in crate::cli) fn export(models: Models<'_>, arguments: &ExportArguments) -> Result<(), Failure> {
+        let selection = find(models, &arguments.path)?;
+        let scenes: Vec<&SceneEntry> =
+            selection.scene.map_or_else(|| selection.model.scenes.iter().collect(), |scene| vec![scene]);
+        let ending = language(arguments.to).map_or("tex", Language::ending);
+        let mut paths = Vec::new();
+        for entry in scenes {
+            let file = format!("{}.{ending}", file_name(&(entry.info)()));
+            let path = match (&arguments.out, selection.scene) {
+                (None, _) => PathBuf::from("out").join(file),
+                (Some(folder), None) => {
+                    check_folder_name(folder)?;
+                    folder.join(file)
+                }
+                (Some(path), Some(_)) => {
+                    check_ending(path, "these equations", &[ending])?;
+                    path.clone()
+                }
+            };
+            write(&path, text(selection.model, entry, arguments)?)?;
+            paths.push(format!("{}\n", path.display()));
+        }
+        print(&paths.concat())
+    }
+
+    const fn language(target: Target) -> Option<Language> {
+        Some(match target {
+            Target::C => Language::C,
+            Target::Numpy => Language::Numpy,
+            Target::Julia => Language::Julia,
+            Target::Matlab => Language::Matlab,
+            Target::Sympy => Language::Sympy,
+            Target::Casadi => Language::Casadi,
+            Target::Latex => return None,
+        })
+    }
+
+    /// The file of a scene, which starts where a run does.
+    fn text(
+        model: &'static ModelInfo,
+        entry: &'static SceneEntry,
+        arguments: &ExportArguments,
+    ) -> Result<String, Failure> {
+        check_assignments(model, entry, &arguments.start, &[])?;
+        let scene = scene_with(model, entry, &arguments.set)?;
+        let Some(language) = language(arguments.to) else { return Ok(show::latex_document(&scene.info())) };
+        let simulation = Simulation::new(scene.as_ref()).until(0.0);
+        let given = arguments.start.iter().fold(simulation, |run, start| run.start(&start.name, start.value));
+        let run = given.run().map_err(refused)?;
+        let start = run.last();
+        let start = Start { t: start.t, q: start.coordinates, v: start.velocities };
+        source(scene.as_ref(), language, start).map_err(Failure::wrong_use)
+    }
+}

@@ -32,7 +32,7 @@ pub(crate) use random::SplitMix64;
 #[cfg(feature = "export")]
 pub use recorded::Recorded;
 #[cfg(feature = "export")]
-pub(crate) use recorded::{Function, Operand, Operation, Operator, Pair, Tape, record};
+pub(crate) use recorded::{Function, Operand, Operation, Operator, Pair, Tape, record, tangents};
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

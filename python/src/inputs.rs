@@ -2,6 +2,7 @@
 
 use crate::error::wrong;
 use ezy_core::simulate::InputTable;
+use numpy::{AllowTypeChange, PyArrayLikeDyn};
 use pyo3::prelude::*;
 use pyo3::types::PyMapping;
 
@@ -30,6 +31,43 @@ pub(crate) fn tables(given: Option<&Bound<'_, PyMapping>>) -> PyResult<Vec<(Stri
         })?;
         let table = InputTable::new(times, values).map_err(|error| wrong(format!("input `{name}`: {error}")))?;
         Ok((name, table))
+    };
+    entries(given)?.into_iter().map(of).collect()
+}
+
+/// Numbers by name, for the members of a batch.
+pub(crate) type Numbers = Vec<(String, Values)>;
+
+/// A number for all members of a batch, or one for each.
+pub(crate) enum Values {
+    Same(f64),
+    Each(Vec<f64>),
+}
+
+impl Values {
+    /// That of member `i`.
+    pub(crate) fn at(&self, i: usize) -> f64 {
+        match self {
+            Self::Same(value) => *value,
+            Self::Each(values) => values[i],
+        }
+    }
+}
+
+/// Name and numbers of each entry, for `n` members.
+pub(crate) fn numbers_of_members(given: Option<&Bound<'_, PyMapping>>, n: usize) -> PyResult<Numbers> {
+    let of = |(name, value): (String, Bound<'_, PyAny>)| {
+        let fault =
+            |what: &str| wrong(format!("`{name}` takes a number, or an array of {n} numbers, but was given {what}"));
+        let values: PyArrayLikeDyn<'_, f64, AllowTypeChange> =
+            value.extract().map_err(|_| fault(&value.to_string()))?;
+        let values = values.as_array();
+        let values = match *values.shape() {
+            [] => Values::Same(values.sum()),
+            [length] if length == n => Values::Each(values.iter().copied().collect()),
+            ref shape => return Err(fault(&format!("one of the shape {shape:?}"))),
+        };
+        Ok((name, values))
     };
     entries(given)?.into_iter().map(of).collect()
 }

@@ -9,10 +9,13 @@
 //! run["bar.phi"]          # a NumPy array
 //! ```
 
+mod analysis;
+mod batch;
 mod environment;
 mod error;
 mod inputs;
 mod model;
+mod notebook;
 mod run;
 mod scene;
 mod stepper;
@@ -48,6 +51,11 @@ pub fn add_models(module: &Bound<'_, PyModule>, models: &[&'static ModelInfo]) -
     module.add_class::<run::PyRun>()?;
     module.add_class::<stepper::PyStepper>()?;
     module.add_class::<stepper::PyCheckpoint>()?;
+    module.add_class::<batch::PyBatch>()?;
+    module.add_class::<analysis::PyEquilibrium>()?;
+    module.add_class::<analysis::PyLinearization>()?;
+    module.add_class::<notebook::PySketch>()?;
+    module.add_class::<notebook::PyAnimation>()?;
     module.add("EzyError", py.get_type::<EzyError>())?;
     module.add("StoppedError", py.get_type::<StoppedError>())?;
     add_functions(module, models)
@@ -68,6 +76,6 @@ fn add_functions(module: &Bound<'_, PyModule>, models: &[&'static ModelInfo]) ->
         let name: String = arguments.get_item(0)?.extract()?;
         environment::attribute(arguments.py(), &package, &name, &names)
     };
-    let doc = c"Makes `Environment` when it is asked for: it needs Gymnasium.";
+    let doc = c"Makes `Environment` and `VectorEnvironment` when they are asked for: they need Gymnasium.";
     module.add("__getattr__", PyCFunction::new_closure(py, Some(c"__getattr__"), Some(doc), missing)?)
 }

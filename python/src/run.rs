@@ -1,24 +1,30 @@
 //! Runs as NumPy arrays by name.
 
 use crate::error::wrong;
+use crate::notebook::PyAnimation;
+use ezy_core::integrate::Method;
+use ezy_core::model::Scene;
 use ezy_core::record::{Column, columns, find_name};
 use ezy_core::simulate::Run;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A finished run: a mapping from the names of columns to arrays with a number for each sample.
 #[pyclass(frozen, name = "Run", module = "ezy", mapping)]
 pub(crate) struct PyRun {
     run: Run,
+    scene: Arc<dyn Scene>,
+    method: Method,
     columns: Vec<Column>,
     /// Column after column.
     values: Vec<Py<PyArray1<f64>>>,
 }
 
 impl PyRun {
-    pub(crate) fn new(run: Run) -> Self {
+    pub(crate) fn new(run: Run, scene: Arc<dyn Scene>, method: Method) -> Self {
         let columns = columns(run.info(), run.first().wanted);
         let n = run.samples().len();
         let mut numbers: Vec<Vec<f64>> = columns.iter().map(|_| Vec::with_capacity(n)).collect();
@@ -27,7 +33,7 @@ impl PyRun {
         }
         let values =
             Python::attach(|py| numbers.into_iter().map(|column| PyArray1::from_vec(py, column).unbind()).collect());
-        Self { run, columns, values }
+        Self { run, scene, method, columns, values }
     }
 
     fn names(&self) -> impl Iterator<Item = &str> + Clone {
@@ -119,6 +125,11 @@ impl PyRun {
                 Ok(Some(all.into_any()))
             }
         }
+    }
+
+    /// An animation of the run, with a frame for each sample. A notebook shows it, and `save(path)` writes it.
+    fn animation(&self, py: Python<'_>) -> PyResult<PyAnimation> {
+        py.detach(|| PyAnimation::new(&*self.scene, &self.run, self.method))
     }
 
     fn __repr__(&self) -> String {

@@ -1,12 +1,16 @@
 //! Scenes with their parameters.
 
+use crate::analysis::{self, PyEquilibrium, PyLinearization, Request};
+use crate::batch::{PyBatch, Settings};
 use crate::error::{StoppedError, wrong};
-use crate::inputs::{numbers, tables};
+use crate::inputs::{Numbers, numbers, numbers_of_members, tables};
+use crate::notebook::{PySketch, latex};
 use crate::run::PyRun;
 use crate::stepper::PyStepper;
 use ezy_core::integrate::{Method, MethodKind, Tolerance};
 use ezy_core::model::{ModelInfo, Scene, SceneEntry};
 use ezy_core::record::find_name;
+use ezy_core::report::drawing;
 use ezy_core::simulate::{Outcome, Run, SetupError, Simulation};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
@@ -21,6 +25,9 @@ const N_INTERVALS: f64 = 500.0;
 /// How long a run may go on before Python is asked for signals: nobody notices it, and it costs nothing.
 const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
 
+/// Steppers of a batch: each takes some kilobytes, and what is too much ends the process.
+const MOST_MEMBERS: usize = 1_000_000;
+
 /// A scene with its parameters.
 #[pyclass(frozen, name = "Scene", module = "ezy")]
 pub(crate) struct PyScene {
@@ -32,6 +39,50 @@ pub(crate) struct PyScene {
 impl PyScene {
     pub(crate) fn new(model: &'static ModelInfo, entry: &'static SceneEntry, scene: Arc<dyn Scene>) -> Self {
         Self { model, entry, scene }
+    }
+
+    /// The scene for each of `n` members, with their own values of these parameters.
+    fn for_members(&self, n: usize, parameters: &Numbers) -> PyResult<Vec<Arc<dyn Scene>>> {
+        let info = self.scene.info();
+        let names = info.parameters.iter().map(|of| of.name).chain(info.counts().iter().map(|of| of.name));
+        let index = |name: &str| {
+            let i = find_name("parameter", name, names.clone()).map_err(wrong)?;
+            match i < info.parameters.len() {
+                true => Ok(i),
+                false => Err(wrong(format!("`{name}` is a count, which all members share: give it to the scene"))),
+            }
+        };
+        let places = parameters.iter().map(|(name, _)| index(name)).collect::<PyResult<Vec<_>>>()?;
+        let own = |i: usize| {
+            let mut scene = (self.entry.new)();
+            (0..info.counts().len()).for_each(|k| scene.set_count(k, self.scene.count(k)));
+            (0..info.parameters.len()).for_each(|k| scene.set_parameter(k, self.scene.parameter(k)));
+            places.iter().zip(parameters).for_each(|(k, (_, values))| scene.set_parameter(*k, values.at(i)));
+            Arc::from(scene)
+        };
+        Ok(match places.is_empty() {
+            true => vec![Arc::clone(&self.scene); n],
+            false => (0..n).map(own).collect(),
+        })
+    }
+
+    /// The run, or an exception that has it.
+    fn finished(&self, py: Python<'_>, run: Run, method: Method) -> PyResult<PyRun> {
+        match run.outcome.reached_end() {
+            true => Ok(PyRun::new(run, Arc::clone(&self.scene), method)),
+            false => Err(self.stopped(py, run, method)),
+        }
+    }
+
+    /// The exception of a run that did not reach its end; it has the run.
+    fn stopped(&self, py: Python<'_>, run: Run, method: Method) -> PyErr {
+        let text = format!("the run {}", run.outcome);
+        if let Outcome::Interrupted { .. } = run.outcome {
+            return PyKeyboardInterrupt::new_err(text);
+        }
+        let error = StoppedError::new_err(text);
+        let set = error.value(py).setattr("run", PyRun::new(run, Arc::clone(&self.scene), method));
+        set.err().unwrap_or(error)
     }
 
     fn simulation<'s>(&self) -> Simulation<'s, Arc<dyn Scene>> {
@@ -123,8 +174,8 @@ impl PyScene {
         work: bool,
     ) -> PyResult<PyRun> {
         let (info, flag) = (self.scene.info(), AtomicBool::new(false));
-        let mut simulation =
-            self.simulation().method(self::method(method, rtol, atol, step)?).until(until.unwrap_or(info.until_s));
+        let method = self::method(method, rtol, atol, step)?;
+        let mut simulation = self.simulation().method(method).until(until.unwrap_or(info.until_s));
         simulation = simulation.interrupted_by(&flag);
         if info.n_outputs() > 0 {
             simulation = simulation.outputs();
@@ -152,7 +203,8 @@ impl PyScene {
         if work {
             simulation = simulation.work();
         }
-        finished(py, simulate(py, simulation, &flag)?)
+        let run = simulate(py, simulation, &flag)?;
+        self.finished(py, run, method)
     }
 
     /// A stepper: the scene in fixed steps of `step` s by rk4, to be driven from outside.
@@ -175,10 +227,114 @@ impl PyScene {
         Ok(PyStepper::new(simulation.stepper().map_err(wrong)?))
     }
 
+    /// `n` steppers that step together on all cores, without the global lock.
+    ///
+    /// start, inputs and parameters have values by name, each a number or an array with one for each member; threads is how many work at
+    /// most. The numbers are those of single steppers, whatever the number of threads.
+    #[pyo3(signature = (n, step, *, start=None, inputs=None, parameters=None, threads=None))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
+    fn batch(
+        &self,
+        py: Python<'_>,
+        n: usize,
+        step: f64,
+        start: Option<&Bound<'_, PyMapping>>,
+        inputs: Option<&Bound<'_, PyMapping>>,
+        parameters: Option<&Bound<'_, PyMapping>>,
+        threads: Option<usize>,
+    ) -> PyResult<PyBatch> {
+        for (name, number) in [("n", Some(n)), ("threads", threads)] {
+            if number == Some(0) {
+                return Err(wrong(format!("`{name}` takes a whole number from 1 on, but was given 0")));
+            }
+        }
+        if n > MOST_MEMBERS {
+            return Err(wrong(format!(
+                "a batch has {MOST_MEMBERS} members at most, but `n` was given as {n}; make several batches"
+            )));
+        }
+        let settings = Settings {
+            scenes: self.for_members(n, &numbers_of_members(parameters, n)?)?,
+            start: numbers_of_members(start, n)?,
+            inputs: numbers_of_members(inputs, n)?,
+            n_threads: threads,
+        };
+        PyBatch::new(py, &settings, |scene| Simulation::new(scene).method(Method::rk4(step)))
+    }
+
     /// Compares the equations of the scene with finite differences; raises EzyError where they differ.
     fn check(&self, py: Python<'_>) -> PyResult<()> {
         let scene = Arc::clone(&self.scene);
         py.detach(|| ezy_core::testing::check_scene(&*scene)).map(|_| ()).map_err(wrong)
+    }
+
+    /// The equilibrium near the start: rest, or motion that is constant seen from a frame that travels and turns evenly.
+    ///
+    /// start and inputs as for `run`, inputs as numbers alone. hold names coordinates, velocities and states that keep their value of the start.
+    #[pyo3(signature = (*, start=None, inputs=None, hold=vec![]))]
+    fn equilibrium(
+        &self,
+        py: Python<'_>,
+        start: Option<&Bound<'_, PyMapping>>,
+        inputs: Option<&Bound<'_, PyMapping>>,
+        hold: Vec<String>,
+    ) -> PyResult<PyEquilibrium> {
+        analysis::equilibrium(py, &Request::new(&self.scene, start, inputs, hold)?)
+    }
+
+    /// All equilibria at rest that `n_starts` starts lead to: that of the scene, and others at random, which are the same each time.
+    ///
+    /// start, inputs and hold as for `equilibrium`. A rest that no start leads to is not found.
+    #[pyo3(signature = (*, n_starts=128, start=None, inputs=None, hold=vec![]))]
+    fn equilibria(
+        &self,
+        py: Python<'_>,
+        n_starts: usize,
+        start: Option<&Bound<'_, PyMapping>>,
+        inputs: Option<&Bound<'_, PyMapping>>,
+        hold: Vec<String>,
+    ) -> PyResult<Vec<PyEquilibrium>> {
+        analysis::equilibria(py, &Request::new(&self.scene, start, inputs, hold)?, n_starts)
+    }
+
+    /// The linear equations x' = A x + B u, y = C x + D u of small deviations from the equilibrium near the start, with exact derivatives.
+    ///
+    /// start, inputs and hold as for `equilibrium`.
+    #[pyo3(signature = (*, start=None, inputs=None, hold=vec![]))]
+    fn linearize(
+        &self,
+        py: Python<'_>,
+        start: Option<&Bound<'_, PyMapping>>,
+        inputs: Option<&Bound<'_, PyMapping>>,
+        hold: Vec<String>,
+    ) -> PyResult<PyLinearization> {
+        analysis::linearize(py, &Request::new(&self.scene, start, inputs, hold)?)
+    }
+
+    /// The equations of the scene in LaTeX, as displayed mathematics with titles; the package `amsmath` has what they take.
+    fn equations(&self) -> String {
+        latex(&self.scene.info(), ["\\[", "\\]"])
+    }
+
+    /// A sketch of the mechanism at the time `at`, s. A notebook shows it, and `save(path)` writes it.
+    ///
+    /// start has values to begin with by name, as for `run`.
+    #[pyo3(signature = (at=0.0, *, start=None))]
+    fn sketch(&self, py: Python<'_>, at: f64, start: Option<&Bound<'_, PyMapping>>) -> PyResult<PySketch> {
+        let flag = AtomicBool::new(false);
+        let mut simulation = self.simulation().until(at).interrupted_by(&flag);
+        for (name, value) in numbers(start)? {
+            simulation = simulation.start(name, value);
+        }
+        let run = simulate(py, simulation, &flag)?;
+        match run.outcome.reached_end() {
+            true => Ok(PySketch { svg: drawing::sketch(&*self.scene, &run.last()) }),
+            false => Err(self.stopped(py, run, Method::default())),
+        }
+    }
+
+    fn _repr_latex_(&self) -> String {
+        latex(&self.scene.info(), ["$$", "$$"])
     }
 
     /// End of a run that is given none, s.
@@ -241,18 +397,4 @@ fn lock(of: &Mutex<bool>) -> MutexGuard<'_, bool> {
 fn wait<'m>(done: &Condvar, is_done: MutexGuard<'m, bool>) -> MutexGuard<'m, bool> {
     let waited = done.wait_timeout_while(is_done, BETWEEN_SIGNALS, |is_done| !*is_done);
     waited.map_or_else(|poisoned| poisoned.into_inner().0, |(is_done, _)| is_done)
-}
-
-/// The run, or an exception that has it.
-fn finished(py: Python<'_>, run: Run) -> PyResult<PyRun> {
-    let text = format!("the run {}", run.outcome);
-    match &run.outcome {
-        outcome if outcome.reached_end() => Ok(PyRun::new(run)),
-        Outcome::Interrupted { .. } => Err(PyKeyboardInterrupt::new_err(text)),
-        _ => {
-            let error = StoppedError::new_err(text);
-            error.value(py).setattr("run", PyRun::new(run))?;
-            Err(error)
-        }
-    }
 }

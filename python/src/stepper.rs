@@ -21,7 +21,7 @@ pub(crate) struct PyStepper {
 
 /// Where a number of a stepper is.
 #[derive(Clone, Copy)]
-enum Place {
+pub(crate) enum Place {
     Time,
     Coordinate(usize),
     Velocity(usize),
@@ -30,14 +30,14 @@ enum Place {
 }
 
 /// The names that a stepper can be asked for, in this order, and their places.
-struct Places {
+pub(crate) struct Places {
     names: Vec<String>,
     places: Vec<Place>,
     by_name: HashMap<String, Place>,
 }
 
 impl Places {
-    fn new(info: &SceneInfo) -> Self {
+    pub(crate) fn new(info: &SceneInfo) -> Self {
         let mut all = vec![("t".to_owned(), Place::Time)];
         all.extend(info.coordinates.iter().enumerate().map(|(i, c)| (c.name.to_string(), Place::Coordinate(i))));
         all.extend(info.velocities.iter().enumerate().map(|(i, c)| (c.name.to_string(), Place::Velocity(i))));
@@ -49,13 +49,34 @@ impl Places {
         Self { names, places, by_name }
     }
 
-    fn find(&self, name: &str) -> PyResult<Place> {
+    pub(crate) fn find(&self, name: &str) -> PyResult<Place> {
         if let Some(place) = self.by_name.get(name) {
             return Ok(*place);
         }
         let known = self.names.iter().map(String::as_str);
         Ok(self.places[find_name("name", name, known).map_err(wrong)?])
     }
+}
+
+/// The present value at a place.
+pub(crate) fn value(stepper: &mut Stepper<'static, Arc<dyn Scene>>, place: Place) -> f64 {
+    match place {
+        Place::Time => stepper.state().t,
+        Place::Coordinate(i) => stepper.state().q[i],
+        Place::Velocity(i) => stepper.state().v[i],
+        Place::Output(i) => stepper.outputs()[i],
+        Place::Input(i) => stepper.inputs()[i],
+    }
+}
+
+/// Names of coordinates, velocities and outputs.
+pub(crate) fn names(info: &SceneInfo) -> BTreeMap<&'static str, Vec<String>> {
+    let of = |all: &mut dyn Iterator<Item = String>| all.collect::<Vec<_>>();
+    BTreeMap::from([
+        ("q", of(&mut info.coordinates.iter().map(|c| c.name.to_string()))),
+        ("v", of(&mut info.velocities.iter().map(|c| c.name.to_string()))),
+        ("outputs", of(&mut info.outputs.iter().map(|c| c.name.to_string()))),
+    ])
 }
 
 /// Where a stepper was: from there the same steps lead to the same bits.
@@ -117,14 +138,7 @@ impl PyStepper {
     /// The present value of a coordinate, velocity, output or input, or of the time `t`, by its name.
     fn __getitem__(&mut self, name: &str) -> PyResult<f64> {
         let place = self.places.find(name)?;
-        let stepper = self.inner();
-        Ok(match place {
-            Place::Time => stepper.state().t,
-            Place::Coordinate(i) => stepper.state().q[i],
-            Place::Velocity(i) => stepper.state().v[i],
-            Place::Output(i) => stepper.outputs()[i],
-            Place::Input(i) => stepper.inputs()[i],
-        })
+        Ok(value(self.inner(), place))
     }
 
     /// Where it is now.
@@ -171,13 +185,7 @@ impl PyStepper {
     /// Names of coordinates, velocities and outputs.
     #[getter]
     fn names(&mut self) -> BTreeMap<&'static str, Vec<String>> {
-        let info = Arc::clone(self.inner().info());
-        let of = |all: &mut dyn Iterator<Item = String>| all.collect::<Vec<_>>();
-        BTreeMap::from([
-            ("q", of(&mut info.coordinates.iter().map(|c| c.name.to_string()))),
-            ("v", of(&mut info.velocities.iter().map(|c| c.name.to_string()))),
-            ("outputs", of(&mut info.outputs.iter().map(|c| c.name.to_string()))),
-        ])
+        names(self.inner().info())
     }
 
     fn __repr__(&mut self) -> String {

@@ -6,6 +6,7 @@ mod pixels;
 
 use std::path::{Path, PathBuf};
 
+use crate::integrate::Method;
 use crate::model::coordinate::N_OF_BODY;
 use crate::model::{Scene, SceneInfo};
 use crate::output;
@@ -171,6 +172,11 @@ fn record(
     simulation.run().map_err(refused)
 }
 
+/// The page of an animation of a run of `scene` by `method`, with a frame for each sample: what the command `animate` writes.
+pub fn animation_page(scene: &dyn Scene, run: &Run, method: Method) -> String {
+    page::page(&Animation::new(scene, run, method))
+}
+
 /// The page of a run, and the run.
 pub(super) fn page_of(
     motion: &MotionArguments,
@@ -179,7 +185,7 @@ pub(super) fn page_of(
 ) -> Result<(String, Run), Failure> {
     let info = scene.info();
     let run = record(motion, scene, end(motion, &info) / n_frames(&info), interruption)?;
-    let page = page::page(&Animation::new(scene, &run, method(motion)?));
+    let page = animation_page(scene, &run, method(motion)?);
     Ok((page, run))
 }
 

@@ -250,6 +250,7 @@ impl Examples {
             (format!("export c {scene} --out equations.c"), "C without a library"),
             (format!("export numpy {scene}"), "a Python module that takes and returns arrays"),
             (format!("export matlab {model} --out equations"), "all scenes of a model, into a folder"),
+            (format!("export fmu {scene}"), "a functional mock-up unit, FMI 2.0; --fmi 3 for FMI 3.0"),
             (format!("export latex {scene}"), "a document"),
         ])
     }

@@ -20,7 +20,8 @@ mod with_languages {
     use std::path::PathBuf;
 
     use super::super::animate::write;
-    use super::super::export_arguments::Target;
+    use super::super::export_arguments::{Fmi, Target};
+    use super::super::export_unit::archive;
     use super::super::failure::print;
     use super::super::motion::refused;
     use super::super::names::{check_assignments, scene_with};
@@ -28,6 +29,7 @@ mod with_languages {
     use super::super::selection::find;
     use super::super::show;
     use super::{ExportArguments, Failure, Models};
+    use crate::export::fmu::{self, Version};
     use crate::export::{Language, Start, file_name, source};
     use crate::model::{ModelInfo, SceneEntry};
     use crate::simulate::Simulation;
@@ -36,8 +38,8 @@ mod with_languages {
         let selection = find(models, &arguments.path)?;
         let scenes: Vec<&SceneEntry> =
             selection.scene.map_or_else(|| selection.model.scenes.iter().collect(), |scene| vec![scene]);
-        let ending = language(arguments.to).map_or("tex", Language::ending);
-        let mut paths = Vec::new();
+        let ending = ending(arguments.to);
+        let mut told = String::new();
         for entry in scenes {
             let file = format!("{}.{ending}", file_name(&(entry.info)()));
             let path = match (&arguments.out, selection.scene) {
@@ -51,10 +53,19 @@ mod with_languages {
                     path.clone()
                 }
             };
-            write(&path, text(selection.model, entry, arguments)?)?;
-            paths.push(format!("{}\n", path.display()));
+            let (bytes, remark) = content(selection.model, entry, arguments)?;
+            write(&path, bytes)?;
+            told += &format!("{}{remark}\n", path.display());
         }
-        print(&paths.concat())
+        print(&told)
+    }
+
+    const fn ending(target: Target) -> &'static str {
+        match language(target) {
+            Some(language) => language.ending(),
+            None if matches!(target, Target::Fmu) => "fmu",
+            None => "tex",
+        }
     }
 
     const fn language(target: Target) -> Option<Language> {
@@ -65,24 +76,43 @@ mod with_languages {
             Target::Matlab => Language::Matlab,
             Target::Sympy => Language::Sympy,
             Target::Casadi => Language::Casadi,
-            Target::Latex => return None,
+            Target::Fmu | Target::Latex => return None,
         })
     }
 
-    /// The file of a scene, which starts where a run does.
-    fn text(
+    /// The file of a scene, which starts where a run does, and what is told behind its name.
+    fn content(
         model: &'static ModelInfo,
         entry: &'static SceneEntry,
         arguments: &ExportArguments,
-    ) -> Result<String, Failure> {
+    ) -> Result<(Vec<u8>, String), Failure> {
         check_assignments(model, entry, &arguments.start, &[])?;
         let scene = scene_with(model, entry, &arguments.set)?;
-        let Some(language) = language(arguments.to) else { return Ok(show::latex_document(&scene.info())) };
+        if arguments.to == Target::Latex {
+            return Ok((show::latex_document(&scene.info()).into_bytes(), String::new()));
+        }
         let simulation = Simulation::new(scene.as_ref()).until(0.0);
         let given = arguments.start.iter().fold(simulation, |run, start| run.start(&start.name, start.value));
         let run = given.run().map_err(refused)?;
         let start = run.last();
         let start = Start { t: start.t, q: start.coordinates, v: start.velocities };
-        source(scene.as_ref(), language, start).map_err(Failure::wrong_use)
+        if let Some(language) = language(arguments.to) {
+            let text = source(scene.as_ref(), language, start).map_err(Failure::wrong_use)?;
+            return Ok((text.into_bytes(), String::new()));
+        }
+        let version = match arguments.fmi {
+            Fmi::Two => Version::Two,
+            Fmi::Three => Version::Three,
+        };
+        let unit = fmu::unit(scene.as_ref(), version, start).map_err(Failure::wrong_use)?;
+        let (bytes, system) = archive(&unit, version)?;
+        let remark = match system {
+            Some(system) => format!(": FMI {}.0, with a library for {system}", version.number()),
+            None => format!(
+                ": FMI {}.0, with sources alone, since there is no C compiler `cc` (or CC) here; some importers compile them",
+                version.number()
+            ),
+        };
+        Ok((bytes, remark))
     }
 }

@@ -6,9 +6,9 @@ use clap::{Args, ValueEnum};
 
 use super::value::{Assignment, parse_assignment};
 
-/// Writes the equations of a scene in another language, as one file without a dependency on EZY
+/// Writes a scene for other tools: its equations in another language, or a functional mock-up unit (FMU)
 ///
-/// The file has functions for the constants that follow from parameters, for masses, constraints, their Jacobian and convective terms, forces,
+/// A file with equations depends on nothing of EZY. It has functions for the constants that follow from parameters, for masses, constraints, their Jacobian and convective terms, forces,
 /// outputs, rates of first-order states, and for accelerations with multipliers, all printed from the equations that runs compute with; names,
 /// units and values of coordinates, parameters and inputs are lists in it. Of a model without a scene each scene gets a file.
 #[derive(Debug, Args)]
@@ -25,6 +25,9 @@ pub(super) struct ExportArguments {
     /// Hold a start value, as in `run`; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub start: Vec<Assignment>,
+    /// The version of an FMU
+    #[arg(long, value_name = "VERSION", default_value = "2")]
+    pub fmi: Fmi,
     /// The file, or of a model without a scene the folder [default: out/MODEL_SCENE with the ending of the language]
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -44,6 +47,18 @@ pub(super) enum Target {
     Sympy,
     /// Python with CasADi
     Casadi,
+    /// A functional mock-up unit, for model exchange and co-simulation, with its C sources
+    Fmu,
     /// A document with the equations, for reading
     Latex,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Fmi {
+    /// FMI 2.0, which most tools read
+    #[value(name = "2")]
+    Two,
+    /// FMI 3.0
+    #[value(name = "3")]
+    Three,
 }

@@ -115,7 +115,7 @@ const COMMANDS: [(&str, &str, &str); 22] = [
         "show MODEL/SCENE",
     ),
     (
-        "codegen generate-code code lambdify to-c cpp numpy sympy casadi julia matlab octave",
+        "fmu fmi codegen generate-code code lambdify to-c cpp numpy sympy casadi julia matlab octave",
         "export",
         "export LANGUAGE MODEL/SCENE",
     ),

@@ -31,6 +31,8 @@ mod equilibrium_text;
 mod examples;
 mod export;
 mod export_arguments;
+#[cfg(feature = "export")]
+mod export_unit;
 mod failure;
 mod gallery;
 mod interruption;
@@ -101,6 +103,7 @@ mod workspace_text;
 
 use std::process::ExitCode;
 
+pub use animate::animation_page;
 pub use clap;
 pub use command_line::CommandLine;
 pub use failure::{Failure, print};

@@ -143,32 +143,26 @@ fn accelerations(source: &Source<'_>, prefix: &str) -> String {
         format!("{prefix}_mass_matrix(c, mass);"),
         format!("{prefix}_applied_force({list}, acceleration);"),
     ];
-    if n_c == 0 {
-        lines.push("(void)multiplier;".to_owned());
-        lines.push(format!("for (int i = 0; i < {n_v}; i++) acceleration[i] /= mass[i];"));
-    } else {
-        lines.extend([
-            format!("double jacobian[{}], matrix[{}] = {{0}}, solution[{n}];", n_v * n_c, n * n),
-            format!("{prefix}_velocity_jacobian({list}, jacobian);"),
-            format!("{prefix}_convective_term({list}, multiplier);"),
-            format!("for (int i = 0; i < {n_v}; i++) {{"),
-            format!("    matrix[i * {n} + i] = mass[i];"),
-            "    solution[i] = acceleration[i];".to_owned(),
-            format!("    for (int j = 0; j < {n_c}; j++) {{"),
-            format!("        matrix[i * {n} + {n_v} + j] = jacobian[j * {n_v} + i];"),
-            format!("        matrix[({n_v} + j) * {n} + i] = jacobian[j * {n_v} + i];"),
-            "    }".to_owned(),
-            "}".to_owned(),
-            format!("for (int j = 0; j < {n_c}; j++) solution[{n_v} + j] = -multiplier[j];"),
-            format!("ezy_solve({n}, matrix, solution);"),
-            format!("for (int i = 0; i < {n_v}; i++) acceleration[i] = solution[i];"),
-            format!("for (int j = 0; j < {n_c}; j++) multiplier[j] = solution[{n_v} + j];"),
-        ]);
-    }
+    lines.extend([
+        format!("double jacobian[{}], matrix[{}] = {{0}}, solution[{n}];", n_v * n_c, n * n),
+        format!("{prefix}_velocity_jacobian({list}, jacobian);"),
+        format!("{prefix}_convective_term({list}, multiplier);"),
+        format!("for (int i = 0; i < {n_v}; i++) {{"),
+        format!("    matrix[i * {n} + i] = mass[i];"),
+        "    solution[i] = acceleration[i];".to_owned(),
+        format!("    for (int j = 0; j < {n_c}; j++) {{"),
+        format!("        matrix[i * {n} + {n_v} + j] = jacobian[j * {n_v} + i];"),
+        format!("        matrix[({n_v} + j) * {n} + i] = jacobian[j * {n_v} + i];"),
+        "    }".to_owned(),
+        "}".to_owned(),
+        format!("for (int j = 0; j < {n_c}; j++) solution[{n_v} + j] = -multiplier[j];"),
+        format!("ezy_solve({n}, matrix, solution);"),
+        format!("for (int i = 0; i < {n_v}; i++) acceleration[i] = solution[i];"),
+        format!("for (int j = 0; j < {n_c}; j++) multiplier[j] = solution[{n_v} + j];"),
+    ]);
     let results = [format!("acceleration /* {n_v} */"), format!("multiplier /* {n_c} */")];
     let about = "Accelerations and multipliers; not finite where rows depend on each other.";
-    let solve = if n_c == 0 { "" } else { SOLVE };
-    solve.to_owned() + &function(prefix, "accelerations", &arguments, &results, about, &lines)
+    SOLVE.to_owned() + &function(prefix, "accelerations", &arguments, &results, about, &lines)
 }
 
 fn function(

@@ -71,6 +71,11 @@ pub(super) fn lists(source: &Source<'_>) -> Vec<List> {
             info.rows.iter().map(|row| without_value(&row.name, row.multiplier_unit, row.kind)).collect(),
         ),
         (
+            "events",
+            "what `events` returns: conditions of events, of the end of the scene, and discontinuities of laws",
+            info.events.iter().map(|of| Entry::new(of.name, "", 0.0, of.documentation)).collect(),
+        ),
+        (
             "outputs",
             "what `outputs` returns",
             info.outputs.iter().map(|of| without_value(&of.name, of.unit, of.documentation)).collect(),
@@ -79,7 +84,7 @@ pub(super) fn lists(source: &Source<'_>) -> Vec<List> {
     let lists = all.map(|(name, about, entries)| List {
         name,
         about,
-        has_values: !matches!(name, "rows" | "outputs"),
+        has_values: !matches!(name, "rows" | "outputs" | "events"),
         entries,
     });
     lists.into_iter().filter(|list| !list.entries.is_empty()).collect()

@@ -5,7 +5,8 @@ use std::collections::HashSet;
 /// Words that mean something in one of the languages, and what the printers write themselves.
 const RESERVED: [&str; 3] = [
     // arguments and results
-    "t q v z u c p mass residual jacobian convective force rates output acceleration multiplier ratio \
+    "t q v z u c p dq dv dz du event change_of_acceleration change_of_multiplier change_of_rates \
+     change_of_output mass residual jacobian convective force rates output acceleration multiplier ratio \
      matrix right_side solution T",
     // namespaces and functions
     "np sp ca math pi sin cos tan asin acos atan atan2 arcsin arccos arctan2 sqrt exp log tanh abs fabs \

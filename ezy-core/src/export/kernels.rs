@@ -1,7 +1,7 @@
-//! The kernels of a scene as recorded operations.
+//! What printers need of the kernels of a scene, and the variables that they read.
 
-use crate::model::{Equations, SceneInfo};
-use crate::scalar::{Operand, Recorded, Tape, record};
+use crate::model::SceneInfo;
+use crate::scalar::{Operand, Recorded, Tape};
 
 /// A group of variables that a kernel reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,6 +13,10 @@ pub(super) enum Group {
     Inputs,
     Constants,
     Parameters,
+    SeedsOfCoordinates,
+    SeedsOfVelocities,
+    SeedsOfStates,
+    SeedsOfInputs,
 }
 
 impl Group {
@@ -26,6 +30,10 @@ impl Group {
             Self::Inputs => "u",
             Self::Constants => "c",
             Self::Parameters => "p",
+            Self::SeedsOfCoordinates => "dq",
+            Self::SeedsOfVelocities => "dv",
+            Self::SeedsOfStates => "dz",
+            Self::SeedsOfInputs => "du",
         }
     }
 
@@ -57,9 +65,11 @@ pub(super) struct Kernel {
 pub(super) struct Kernels {
     pub constants: Kernel,
     pub of_motion: Vec<Kernel>,
-    /// `None` without a generated elimination: then the file solves a dense matrix.
+    /// `None` where rows are there and no generated elimination solves: then the file solves a full matrix.
     pub accelerations: Option<Kernel>,
     pub pivot: Option<Kernel>,
+    /// Derivatives of accelerations, multipliers, rates and outputs along a direction, where they are asked for.
+    pub derivatives: Option<Kernel>,
     /// Variables of each group: the first one, and how many there are.
     pub variables: Variables,
 }
@@ -71,7 +81,7 @@ pub(super) struct Variables {
 }
 
 impl Variables {
-    fn new(info: &SceneInfo) -> Self {
+    pub(super) fn new(info: &SceneInfo) -> Self {
         let sizes = [
             (Group::Time, 1),
             (Group::Coordinates, info.n_coordinates()),
@@ -80,6 +90,10 @@ impl Variables {
             (Group::Inputs, info.n_inputs()),
             (Group::Constants, info.n_constants),
             (Group::Parameters, info.parameters.len() + info.switches.len()),
+            (Group::SeedsOfCoordinates, info.n_coordinates()),
+            (Group::SeedsOfVelocities, info.n_velocities()),
+            (Group::SeedsOfStates, info.n_states()),
+            (Group::SeedsOfInputs, info.n_inputs()),
         ];
         Self { sizes: sizes.to_vec() }
     }
@@ -88,7 +102,7 @@ impl Variables {
         self.sizes.iter().find(|&&(of, _)| of == group).map_or(0, |&(_, n)| n)
     }
 
-    fn recorded(&self, group: Group) -> Vec<Recorded> {
+    pub(super) fn recorded(&self, group: Group) -> Vec<Recorded> {
         let before = self.sizes.iter().take_while(|&&(of, _)| of != group);
         let first: usize = before.map(|&(_, n)| n).sum();
         (first..first + self.size(group)).map(Recorded::variable).collect()
@@ -105,6 +119,12 @@ impl Variables {
         (Group::Time, 0)
     }
 
+    /// The changes that derivatives take, in the order of the arguments.
+    pub(super) fn seeds(&self) -> Vec<Group> {
+        let all = [Group::SeedsOfCoordinates, Group::SeedsOfVelocities, Group::SeedsOfStates, Group::SeedsOfInputs];
+        all.into_iter().filter(|&group| self.size(group) > 0).collect()
+    }
+
     /// What functions of the motion take: first-order states and inputs only in scenes that have some.
     pub(super) fn of_motion(&self) -> Vec<Group> {
         let is_there = |&group: &Group| !matches!(group, Group::States | Group::Inputs) || self.size(group) > 0;
@@ -112,190 +132,11 @@ impl Variables {
     }
 }
 
-/// The variables of the motion, recorded.
-struct Motion {
-    c: Vec<Recorded>,
-    t: Recorded,
-    q: Vec<Recorded>,
-    v: Vec<Recorded>,
-}
-
-const ZERO: Recorded = Recorded::number(0.0);
-
 impl Kernels {
-    pub(super) fn of(info: &SceneInfo, equations: &dyn Equations<Recorded>, is_eliminated: bool) -> Self {
-        let recorder = Recorder { info, equations, variables: Variables::new(info) };
-        let of_motion = recorder.of_motion();
-        Self {
-            constants: recorder.constants(),
-            of_motion,
-            accelerations: is_eliminated.then(|| recorder.accelerations()),
-            pivot: (is_eliminated && info.n_rows() > 0).then(|| recorder.pivot()),
-            variables: recorder.variables,
-        }
-    }
-
     /// All of them, the accelerations last.
     pub(super) fn all(&self) -> impl Iterator<Item = &Kernel> {
         let first = std::iter::once(&self.constants).chain(&self.of_motion);
-        first.chain(self.accelerations.as_ref()).chain(self.pivot.as_ref())
-    }
-}
-
-struct Recorder<'k> {
-    info: &'k SceneInfo,
-    equations: &'k dyn Equations<Recorded>,
-    variables: Variables,
-}
-
-impl Recorder<'_> {
-    fn constants(&self) -> Kernel {
-        let n_given = self.info.n_inputs() + self.info.n_states();
-        let (values, tape) = record(|| {
-            let mut c = vec![ZERO; self.info.n_fixed()];
-            self.equations.constants(&self.variables.recorded(Group::Parameters), &mut c);
-            c[n_given..].iter().map(|c| c.operand()).collect()
-        });
-        Kernel {
-            name: "constants",
-            about: "Everything that depends on the parameters p alone; all other functions take it.",
-            arguments: vec![Group::Parameters],
-            tape,
-            returned: vec![Returned { name: "c", n_columns: None, values }],
-        }
-    }
-
-    fn motion(&self) -> Motion {
-        let [q, v, z, u, c] = [Group::Coordinates, Group::Velocities, Group::States, Group::Inputs, Group::Constants]
-            .map(|group| self.variables.recorded(group));
-        let t = self.variables.recorded(Group::Time)[0];
-        Motion { c: [u, z, c].concat(), t, q, v }
-    }
-
-    /// A kernel that writes `n` numbers.
-    fn kernel(
-        &self,
-        [name, returned, about]: [&'static str; 3],
-        n: usize,
-        compute: impl FnOnce(&dyn Equations<Recorded>, &Motion, &mut [Recorded]),
-    ) -> Kernel {
-        let (values, tape) = record(|| {
-            let mut values = vec![ZERO; n];
-            compute(self.equations, &self.motion(), &mut values);
-            values.iter().map(|value| value.operand()).collect()
-        });
-        let returned = vec![Returned { name: returned, n_columns: None, values }];
-        Kernel { name, about, arguments: self.variables.of_motion(), tape, returned }
-    }
-
-    fn of_motion(&self) -> Vec<Kernel> {
-        let info = self.info;
-        let (n_v, n_c) = (info.n_velocities(), info.n_rows());
-        let mass = self.kernel(
-            ["mass_matrix", "mass", "Diagonal of the mass matrix M, kg and kg m^2."],
-            n_v,
-            |scene, at, out| scene.mass_matrix(&at.c, out),
-        );
-        let mut all = vec![Kernel { arguments: vec![Group::Constants], ..mass }];
-        if info.n_position_rows > 0 {
-            all.push(self.kernel(
-                [
-                    "position_constraint",
-                    "residual",
-                    "C(q, t), which vanishes in every position that the constraints allow.",
-                ],
-                info.n_position_rows,
-                |scene, at, out| scene.position_constraint(&at.c, at.t, &at.q, out),
-            ));
-        }
-        if n_c > 0 {
-            all.push(self.kernel(
-                [
-                    "velocity_constraint",
-                    "residual",
-                    "All rows at velocity level, G v + g_t, which vanish in every motion.",
-                ],
-                n_c,
-                |scene, at, out| scene.velocity_constraint(&at.c, at.t, &at.q, &at.v, out),
-            ));
-            all.push(self.jacobian());
-            all.push(self.kernel(
-                [
-                    "convective_term",
-                    "convective",
-                    "h of position constraints and s of velocity constraints: G a = -[h; s].",
-                ],
-                n_c,
-                |scene, at, out| scene.convective_term(&at.c, at.t, &at.q, &at.v, out),
-            ));
-        }
-        all.push(self.kernel(
-            ["applied_force", "force", "Applied forces F, N and N m: M a + G' lambda = F."],
-            n_v,
-            |scene, at, out| scene.applied_force(&at.c, at.t, &at.q, &at.v, out),
-        ));
-        if info.n_states() > 0 {
-            all.push(self.kernel(
-                ["state_rates", "rates", "Rates of the first-order states, in their units over s."],
-                info.n_states(),
-                |scene, at, out| scene.state_rates(&at.c, at.t, &at.q, &at.v, out),
-            ));
-        }
-        if info.n_outputs() > 0 {
-            all.push(self.kernel(
-                ["outputs", "output", "The outputs of the scene, each in its unit."],
-                info.n_outputs(),
-                |scene, at, out| scene.outputs(&at.c, at.t, &at.q, &at.v, out),
-            ));
-        }
-        all
-    }
-
-    /// G as a full matrix: entries at one place add up.
-    fn jacobian(&self) -> Kernel {
-        let n_columns = self.info.n_velocities();
-        let about = "The Jacobian G of all rows by the velocities.";
-        let kernel = self.kernel(
-            ["velocity_jacobian", "jacobian", about],
-            self.info.n_rows() * n_columns,
-            |scene, at, matrix| {
-                let mut entries = vec![ZERO; self.info.jacobian.n_nonzeros()];
-                scene.velocity_jacobian(&at.c, at.t, &at.q, &mut entries);
-                for (k, row, column) in self.info.jacobian.entries() {
-                    let at_place = &mut matrix[row * n_columns + column];
-                    *at_place = if *at_place == ZERO { entries[k] } else { *at_place + entries[k] };
-                }
-            },
-        );
-        let returned = kernel.returned.into_iter().map(|of| Returned { n_columns: Some(n_columns), ..of }).collect();
-        Kernel { returned, ..kernel }
-    }
-
-    fn accelerations(&self) -> Kernel {
-        let (n_v, n_c) = (self.info.n_velocities(), self.info.n_rows());
-        let about = "Accelerations, m/s^2 and rad/s^2, and multipliers of the rows, N and N m; they mean nothing where `pivot` is at most 1.";
-        let kernel = self.kernel(["accelerations", "", about], n_v + n_c, |scene, at, out| {
-            let (a, multipliers) = out.split_at_mut(n_v);
-            // whether pivots vanish is not known here
-            let _ = scene.accelerations(&at.c, at.t, &at.q, &at.v, a, multipliers);
-        });
-        let values: Vec<Operand> = kernel.returned.into_iter().flat_map(|all| all.values).collect();
-        let returned = [("acceleration", &values[..n_v]), ("multiplier", &values[n_v..])].map(|(name, of)| Returned {
-            name,
-            n_columns: None,
-            values: of.to_vec(),
-        });
-        Kernel { returned: returned.into(), ..kernel }
-    }
-
-    fn pivot(&self) -> Kernel {
-        let about = "Pivots of the elimination, each over the least that counts. Where one is at most 1, rows depend on each other.";
-        let kernel = self.kernel(["pivot", "", about], 0, |scene, at, _| {
-            let (mut a, mut multipliers) = (vec![ZERO; self.info.n_velocities()], vec![ZERO; self.info.n_rows()]);
-            let _ = scene.accelerations(&at.c, at.t, &at.q, &at.v, &mut a, &mut multipliers);
-        });
-        let mut tape = kernel.tape;
-        let values = tape.ratios();
-        Kernel { tape, returned: vec![Returned { name: "ratio", n_columns: None, values }], ..kernel }
+        let last = [&self.accelerations, &self.pivot, &self.derivatives];
+        first.chain(last.into_iter().flatten())
     }
 }

@@ -6,6 +6,7 @@
 
 mod c;
 mod expression;
+pub mod fmu;
 mod head;
 mod identifiers;
 mod julia;
@@ -13,6 +14,8 @@ mod kernels;
 mod language;
 mod matlab;
 mod python;
+mod recorder;
+mod script;
 mod statements;
 
 #[cfg(feature = "cli")]
@@ -21,7 +24,8 @@ pub use language::Language;
 
 use crate::dynamics::{MotionError, RankLoss, System, SystemError};
 use crate::linalg::Backend;
-use crate::model::{Scene, SceneInfo};
+use crate::model::{Equations, Scene, SceneInfo};
+use crate::scalar::Recorded;
 use kernels::Kernels;
 use std::sync::Arc;
 
@@ -58,6 +62,26 @@ pub enum ExportError {
         /// Which.
         loss: RankLoss,
     },
+    /// Rows that a run switches, which a unit of other tools does not.
+    #[error(
+        "row `{row}` of scene `{scene}` holds or lets go as a run decides, which an FMU cannot do; leave the limit or the stop out, or drive EZY by a stepper"
+    )]
+    Switched {
+        /// Its name.
+        scene: &'static str,
+        /// The row.
+        row: String,
+    },
+    /// An input that a run integrates.
+    #[error(
+        "input `{input}` of scene `{scene}` is given by its acceleration, which a run integrates; an FMU takes inputs that act at once"
+    )]
+    IntegratedInput {
+        /// Its name.
+        scene: &'static str,
+        /// The input.
+        input: &'static str,
+    },
     /// Parameters that no run takes.
     #[error(transparent)]
     System(#[from] SystemError),
@@ -92,6 +116,14 @@ struct Source<'s> {
 /// # Errors
 /// [`ExportError`] for a scene that cannot be recorded, is too large or has dependent rows at its start.
 pub fn source(scene: &dyn Scene, language: Language, start: Start<'_>) -> Result<String, ExportError> {
+    prepared(scene, start).map(|(source, _)| language.print(&source))
+}
+
+/// What printers know of `scene`, and its equations.
+fn prepared<'s>(
+    scene: &'s dyn Scene,
+    start: Start<'s>,
+) -> Result<(Source<'s>, &'s dyn Equations<Recorded>), ExportError> {
     let info = scene.info();
     let equations = scene.recorded().ok_or(ExportError::NotRecorded { scene: info.name })?;
     if info.n_unknowns() > LARGEST_N_UNKNOWNS {
@@ -99,7 +131,7 @@ pub fn source(scene: &dyn Scene, language: Language, start: Start<'_>) -> Result
     }
     let is_eliminated = eliminates(scene, &info, start)?;
     let kernels = Kernels::of(&info, equations, is_eliminated);
-    Ok(language.print(&Source { info, parameters: scene.parameters(), start, kernels }))
+    Ok((Source { info, parameters: scene.parameters(), start, kernels }, equations))
 }
 
 /// Whether the generated elimination solves at the start: not where a body has no mass, or the scene no elimination.

@@ -4,9 +4,9 @@ use crate::scalar::{Function, Pair};
 
 use super::Source;
 use super::expression::Syntax;
-use super::head::{List, lists, title};
-use super::kernels::{Group, Kernel};
-use super::statements::{Place, body};
+use super::head::title;
+use super::kernels::Group;
+use super::script::{Marks, Script, indented, names, solves};
 
 /// A library of Python.
 #[derive(Debug)]
@@ -171,79 +171,51 @@ impl Syntax for Python {
     }
 }
 
+impl Script for Python {
+    fn syntax(&self) -> &dyn Syntax {
+        self
+    }
+
+    fn marks(&self) -> Marks {
+        Marks { first_index: 0, brackets: ['[', ']'], end: "", comment: '#', entry: ["(", "),"] }
+    }
+
+    fn begin_of_list(&self, name: &str) -> String {
+        format!("{} = [", name.to_uppercase())
+    }
+
+    /// Values of lists are floats in every library.
+    fn signed(&self, x: f64) -> String {
+        format!("{x:?}")
+    }
+
+    fn zeros(&self, n: usize, n_columns: Option<usize>, arguments: &[Group]) -> String {
+        let like = if arguments.contains(&Group::Coordinates) { "q" } else { arguments[0].letter() };
+        match n_columns {
+            Some(columns) => format!("zero_matrix({}, {columns}, {like})", n / columns),
+            None => format!("zeros({n}, {like})"),
+        }
+    }
+
+    fn definition(&self, name: &str, results: &[&str], arguments: &[Group], about: &str, lines: &[String]) -> String {
+        let (arguments, results) = (names(arguments), results.join(", "));
+        format!("\n\ndef {name}({arguments}):\n    \"\"\"{about}\"\"\"\n{}    return {results}\n", indented(lines))
+    }
+}
+
 impl Python {
     pub(super) fn file(&self, source: &Source<'_>) -> String {
-        let mut text = format!("\"\"\"{}\n\"\"\"\n{}\n", title(source).join("\n"), self.import);
-        text += &lists(source).iter().map(list).collect::<String>();
-        text += &format!("\n# time at which the scene starts, s\nSTART_TIME = {:?}\n\n", source.start.t);
-        text += self.helpers;
-        let (has_rows, is_solved) = (source.info.n_rows() > 0, source.kernels.accelerations.is_some());
-        text += if has_rows { self.matrix } else { "" };
-        text += if has_rows && !is_solved { self.solved } else { "" };
-        text += &source.kernels.all().map(|kernel| self.function_of(source, kernel)).collect::<String>();
-        if !is_solved {
-            text += &accelerations(source);
-        }
-        text
+        let optional = |text: &str, is_there: bool| if is_there { text.to_owned() } else { String::new() };
+        [
+            format!("\"\"\"{}\n\"\"\"\n{}\n", title(source).join("\n"), self.import),
+            self.lists(source),
+            format!("\n# time at which the scene starts, s\nSTART_TIME = {:?}\n\n", source.start.t),
+            self.helpers.to_owned(),
+            optional(self.matrix, source.info.n_rows() > 0),
+            optional(self.solved, solves(source)),
+            self.functions(source),
+            self.solution(source),
+        ]
+        .concat()
     }
-
-    fn function_of(&self, source: &Source<'_>, kernel: &Kernel) -> String {
-        let body = body(self, &source.info, &source.kernels, kernel);
-        let mut lines: Vec<String> = body.named.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        let like = if kernel.arguments.contains(&Group::Coordinates) { "q" } else { kernel.arguments[0].letter() };
-        for (returned, entries) in kernel.returned.iter().zip(&body.returned) {
-            let (name, n) = (returned.name, returned.values.len());
-            lines.push(match returned.n_columns {
-                Some(columns) => format!("{name} = zero_matrix({}, {columns}, {like})", n / columns),
-                None => format!("{name} = zeros({n}, {like})"),
-            });
-            lines.extend(entries.iter().map(|(place, value)| format!("{name}[{}] = {value}", index(*place))));
-        }
-        let names: Vec<&str> = kernel.returned.iter().map(|returned| returned.name).collect();
-        lines.push(format!("return {}", names.join(", ")));
-        function(kernel.name, &kernel.arguments, kernel.about, &lines)
-    }
-}
-
-/// The accelerations of a scene without a generated elimination.
-fn accelerations(source: &Source<'_>) -> String {
-    let arguments = source.kernels.variables.of_motion();
-    let list = names(&arguments);
-    let line = match source.info.n_rows() {
-        0 => format!("return applied_force({list}) / mass_matrix(c), zeros(0, q)"),
-        _ => format!(
-            "return solved(mass_matrix(c), velocity_jacobian({list}), applied_force({list}), -convective_term({list}))"
-        ),
-    };
-    function("accelerations", &arguments, "Accelerations and multipliers.", &[line])
-}
-
-fn function(name: &str, arguments: &[Group], about: &str, lines: &[String]) -> String {
-    let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
-    format!("\n\ndef {name}({}):\n    \"\"\"{about}\"\"\"\n{lines}", names(arguments))
-}
-
-fn names(arguments: &[Group]) -> String {
-    arguments.iter().map(|group| group.letter()).collect::<Vec<_>>().join(", ")
-}
-
-fn index((row, column): Place) -> String {
-    column.map_or_else(|| row.to_string(), |column| format!("{row}, {column}"))
-}
-
-/// A list of names, units and values.
-fn list(list: &List) -> String {
-    let mut text = format!(
-        "\n# {}: name, unit{}\n{} = [\n",
-        list.about,
-        if list.has_values { ", value" } else { "" },
-        list.name.to_uppercase()
-    );
-    for entry in &list.entries {
-        let comment =
-            if entry.documentation.is_empty() { String::new() } else { format!("  # {}", entry.documentation) };
-        let value = if list.has_values { format!(", {:?}", entry.value) } else { String::new() };
-        text += &format!("    ({:?}, {:?}{value}),{comment}\n", entry.name, entry.unit);
-    }
-    text + "]\n"
 }

@@ -126,6 +126,7 @@ impl VariableNames<'_> {
             Group::Inputs => info.inputs.get(i).map(|of| of.name.to_owned()),
             Group::Parameters => super::head::parameter_names(info).nth(i),
             Group::Constants => Some(self.constant(i)),
+            Group::SeedsOfCoordinates | Group::SeedsOfVelocities | Group::SeedsOfStates | Group::SeedsOfInputs => None,
             Group::Time => None,
         };
         name.unwrap_or_else(|| format!("{}{i}", group.letter()))

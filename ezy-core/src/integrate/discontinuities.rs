@@ -17,7 +17,7 @@ use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, 
 use super::tolerances::steps::SHORTEST;
 use crate::archive::Archive;
 use crate::dynamics::{Rows, State, System};
-use crate::model::{Derived as _, EventKind, SceneInfo, SceneRef};
+use crate::model::{Equations as _, EventKind, SceneInfo, SceneRef};
 
 /// A step that ends at a discontinuity.
 #[derive(Debug, Clone, Copy, PartialEq)]

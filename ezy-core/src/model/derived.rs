@@ -55,11 +55,6 @@ pub trait Derived: Equations<f64> {
         let _ = (c, t, q, v, out);
     }
 
-    /// Values of [`SceneInfo::events`](super::SceneInfo::events), which pass zero where the event takes place. Writes `n_s`.
-    fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let _ = (c, t, q, v, out);
-    }
-
     /// What each skate of [`SceneInfo::limited_skates`](super::SceneInfo::limited_skates) holds up to, N, and the velocity across it, to the left of
     /// its direction, m/s. Writes 2 for each.
     fn limited_skates(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {

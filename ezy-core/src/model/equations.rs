@@ -41,6 +41,12 @@ pub trait Equations<T: Scalar>: Send + Sync {
         let _ = (c, t, q, v, out);
     }
 
+    /// Values of [`SceneInfo::events`](super::SceneInfo::events), which pass zero where the event takes place. Writes `n_s`; nothing in a
+    /// scene without any.
+    fn events(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let _ = (c, t, q, v, out);
+    }
+
     /// Generated straight-line solution of `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`; needs M > 0.
     /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished. A scene without
     /// elimination ([`SceneInfo::has_elimination`](super::SceneInfo::has_elimination)) writes nothing and marks every row.

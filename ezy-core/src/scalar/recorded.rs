@@ -107,6 +107,90 @@ pub(crate) fn record<R>(compute: impl FnOnce() -> R) -> (R, Tape) {
     (results, TAPE.take())
 }
 
+/// Derivatives of all operations of the present recording along a direction, as further operations: `seed` gives that of each variable. `None` where
+/// nothing varies. At a discontinuity of a law a derivative is the mean of those on both sides.
+pub(crate) fn tangents(seed: impl Fn(usize) -> Option<Recorded>) -> Vec<Option<Recorded>> {
+    let operations = TAPE.with_borrow(|tape| tape.operations.clone());
+    let mut tangents: Vec<Option<Recorded>> = Vec::with_capacity(operations.len());
+    for (place, &operation) in operations.iter().enumerate() {
+        let of = |operand: Operand| match operand {
+            Operand::Result(place) => tangents[place],
+            Operand::Number(_) | Operand::Pi => None,
+        };
+        let tangent = match operation {
+            Operation::Variable(i) => seed(i),
+            Operation::Negative(a) => of(a).map(Neg::neg),
+            Operation::Unary(function, a) => {
+                of(a).map(|d| slope(function, Recorded(a), Recorded(Operand::Result(place))) * d)
+            }
+            Operation::Binary(operator, a, b) => {
+                of_operator(operator, [Recorded(a), Recorded(b), Recorded(Operand::Result(place))], [of(a), of(b)])
+            }
+            Operation::Pair(pair, a, b) => {
+                of_pair(pair, [Recorded(a), Recorded(b), Recorded(Operand::Result(place))], [of(a), of(b)])
+            }
+        };
+        tangents.push(tangent);
+    }
+    tangents
+}
+
+/// Slope of a function at `x`, where it is `y`.
+fn slope(function: Function, x: Recorded, y: Recorded) -> Recorded {
+    let one = Recorded::number(1.0);
+    match function {
+        Function::Sin => x.cos(),
+        Function::Cos => -x.sin(),
+        Function::Tan => one + y * y,
+        Function::Asin => one / ((one - x) * (one + x)).sqrt(),
+        Function::Acos => -(one / ((one - x) * (one + x)).sqrt()),
+        Function::Sqrt => Recorded::number(0.5) / y,
+        Function::Exp => y,
+        Function::Ln => one / x,
+        Function::Tanh => one - y * y,
+        Function::Abs => x.sign(),
+        Function::Sign => Recorded::number(0.0),
+    }
+}
+
+/// The sum of what varies.
+fn sum(of: [Option<Recorded>; 2]) -> Option<Recorded> {
+    match of {
+        [Some(a), Some(b)] => Some(a + b),
+        [a, b] => a.or(b),
+    }
+}
+
+/// The change of y = a ∘ b.
+fn of_operator(operator: Operator, [a, b, y]: [Recorded; 3], [of_a, of_b]: [Option<Recorded>; 2]) -> Option<Recorded> {
+    match operator {
+        Operator::Plus => sum([of_a, of_b]),
+        Operator::Minus => match (of_a, of_b) {
+            (Some(of_a), Some(of_b)) => Some(of_a - of_b),
+            (of_a, of_b) => of_a.or(of_b.map(Neg::neg)),
+        },
+        Operator::Times => sum([of_a.map(|d| d * b), of_b.map(|d| a * d)]),
+        Operator::Over => sum([of_a, of_b.map(|d| -(y * d))]).map(|d| d / b),
+    }
+}
+
+fn of_pair(pair: Pair, [a, b, y]: [Recorded; 3], [of_a, of_b]: [Option<Recorded>; 2]) -> Option<Recorded> {
+    let half = Recorded::number(0.5);
+    match pair {
+        Pair::Atan2 => sum([of_a.map(|d| b * d), of_b.map(|d| -(a * d))]).map(|d| d / (a * a + b * b)),
+        // the mean, and half the difference of what is on both sides
+        Pair::Min | Pair::Max => {
+            let share = half * (a - b).sign();
+            let share = if pair == Pair::Max { share } else { -share };
+            sum([of_a.map(|d| (half + share) * d), of_b.map(|d| (half - share) * d)])
+        }
+        Pair::Power => {
+            let by_base = of_a.map(|d| b * a.powf(b - Recorded::number(1.0)) * d);
+            sum([by_base, of_b.map(|d| y * a.ln() * d)])
+        }
+    }
+}
+
 impl Recorded {
     pub(crate) const fn number(x: f64) -> Self {
         Self(Operand::Number(x.to_bits()))

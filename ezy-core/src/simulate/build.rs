@@ -65,8 +65,11 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     }
 
     /// The scene with its constant inputs and its start, for what is no run.
-    #[cfg(all(feature = "cli", feature = "analysis"))]
-    pub(crate) fn system_at_start(self) -> Result<(System<P>, Start), SetupError> {
+    ///
+    /// # Errors
+    /// [`SetupError`] when the scene, an input or the start cannot be used.
+    #[cfg(feature = "analysis")]
+    pub fn system_at_start(self) -> Result<(System<P>, Start), SetupError> {
         let (system, start, _) = self.settings.assembled(self.scene.clone())?;
         Ok((system, start))
     }

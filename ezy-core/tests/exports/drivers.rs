@@ -22,7 +22,7 @@ fn command(program: &str, arguments: &[&str]) -> Command {
     command
 }
 
-fn python(arguments: &[&str]) -> Command {
+pub fn python(arguments: &[&str]) -> Command {
     command(&std::env::var("EZY_PYTHON").unwrap_or_else(|_| "python3".to_owned()), arguments)
 }
 

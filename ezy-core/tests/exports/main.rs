@@ -4,6 +4,7 @@
 mod drivers;
 mod mechanisms;
 mod refusals;
+mod units;
 
 use drivers::{Driver, TOOLS};
 use ezy_core::export::{Start, source};

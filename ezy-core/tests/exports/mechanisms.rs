@@ -86,6 +86,19 @@ ezy_core::model! {
 }
 
 ezy_core::model! {
+    /// A rod that falls until it is level.
+    pub model Falling {
+        param l: m = 1;
+        body rod { mass: 1, inertia: l^2/12 }
+        hinge pin: ground(0, 0) ~ rod(-l/2, 0);
+        gravity (0, -9.81);
+        event half: rod.phi < 0.5;
+        start raised { rod angle 1; at rest; }
+        scene falls { start raised; until 5 s; until rod.phi < 0; }
+    }
+}
+
+ezy_core::model! {
     /// A bar on three rods of one length, one of them too many.
     pub model Hung {
         param l: m = 1;

@@ -2,6 +2,7 @@
 
 use crate::run::assert_wrong_use;
 use crate::{directory, ezy, output, text};
+use ezy_core::prelude::*;
 use ezy_models::registry::MODELS;
 use std::fs;
 use std::process::Command;
@@ -92,11 +93,45 @@ fn cross_the_hinge_stays_closed_under_scipy() {
     assert!(text(&done.stdout).starts_with("the hinge is open by"), "{}", text(&done.stdout));
 }
 
+/// By FMPy, where it is (`EZY_PYTHON` names its Python): the unit of the driven EzyRoller ends where a run does.
+#[test]
+fn cross_a_unit_moves_as_a_run() {
+    let file = directory("export_unit").join("roller.fmu");
+    let name = file.to_str().unwrap();
+    for version in ["2", "3"] {
+        let told = output(&["export", "fmu", "ezyroller/driven", "--fmi", version, "--out", name]);
+        let bytes = fs::read(&file).unwrap();
+        assert!(bytes.starts_with(b"PK") && told.starts_with(name), "{told}");
+        let folder = std::env::temp_dir();
+        let folder = folder.to_str().unwrap().as_bytes();
+        assert!(!bytes.windows(folder.len()).any(|part| part == folder), "a path of this machine is in it");
+        let python = std::env::var("EZY_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+        let program = "import sys, fmpy, fmpy.validation as v; assert v.validate_fmu(sys.argv[1]) == []; \
+             end = fmpy.simulate_fmu(sys.argv[1], fmi_type='CoSimulation', stop_time=2, output_interval=0.5, relative_tolerance=1e-12, \
+             output=['seat.x', 'seat.y', 'bar.phi', 'der(bar.omega)'])[-1]; print(*(repr(float(x)) for x in end))";
+        let Ok(done) = Command::new(python).args(["-c", program, name]).output() else { return };
+        if text(&done.stderr).contains("No module named 'fmpy'") || told.contains("sources alone") {
+            eprintln!("skipped: there is no Python with FMPy here, or no C compiler");
+            return;
+        }
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        let found: Vec<f64> = text(&done.stdout).split_whitespace().map(|x| x.parse().unwrap()).collect();
+        let scene = ezy_models::ezy_roller::Driven::default();
+        let run = Simulation::new(&scene).method(Method::dop853(1e-13)).until(2.0).run().unwrap();
+        let last = run.last();
+        let expected = ["seat.x", "seat.y", "bar.phi"].map(|name| last.get(name).unwrap());
+        for (x, y) in found[1..].iter().zip(expected) {
+            assert!((x - y).abs() <= 1e-9, "{x} for {y}");
+        }
+    }
+}
+
 #[test]
 fn invariant_what_cannot_be_exported_says_why() {
     assert_wrong_use(&["export", "fortran", "ezyroller/coast"], "possible values: c, numpy");
     assert_wrong_use(&["export", "c", "ezyroller/cost"], "did you mean `coast`");
     assert_wrong_use(&["export", "c", "chain/swing", "--set", "n=100"], "set smaller counts");
+    assert_wrong_use(&["export", "fmu", "ezyroller/skid"], "holds or lets go as a run decides");
     assert_wrong_use(&["export", "c", "ezyroller/coast", "--out", "roller.py"], "such a file");
     assert_wrong_use(&["export", "c", "ezyroller", "--out", "roller.c"], "give --out a folder");
 }

@@ -38,7 +38,11 @@ fn cross_sparse_rows_leave_the_same_free() {
         let range = v_t.select_rows(&held);
         assert_eq!(null.ncols(), 230 - held.len(), "{n_cut} {angle}");
         assert!((null.tr_mul(&null) - DMatrix::identity(null.ncols(), null.ncols())).amax() <= LEFT);
-        assert!((&range * &null).amax() <= LEFT, "{n_cut} {angle}: {}", (&range * &null).amax());
+        for (row, &i) in (&range * &null).row_iter().zip(&held) {
+            // where rows hardly hold, directions are found to rounding over their singular value
+            let bound = LEFT.max(f64::EPSILON * singular.max() / singular[i]);
+            assert!(row.amax() <= bound, "{n_cut} {angle}: {} in direction {i}", row.amax());
+        }
 
         // of what the rows can do
         let x = range.tr_mul(&DVector::from_fn(held.len(), |i, _| (1.0 + i as f64).sin()));

@@ -204,7 +204,7 @@ fn plots(run: &Run) -> Vec<Plot> {
     if run.samples().any(|sample| sample.energy.potential != 0.0) {
         energies.push(curve("potential", &|sample| sample.energy.potential));
     }
-    if info.n_effects() > 0 {
+    if info.n_effects() > 0 && run.samples().any(|sample| sample.energy.work.is_finite()) {
         energies.push(curve("work", &|sample| sample.energy.work));
     }
     let mut plots = vec![Plot { title: "energy".to_owned(), unit: "J", curves: energies }];

@@ -2,7 +2,7 @@
 
 use super::laws;
 use crate::dynamics::{MotionError, Rows, State, System};
-use crate::model::{Derived as _, SceneRef, StopInfo};
+use crate::model::{Equations as _, SceneRef, StopInfo};
 
 /// What is located.
 pub(in crate::simulate) enum EventFunction {

@@ -18,6 +18,7 @@ mod model;
 mod notebook;
 mod run;
 mod scene;
+mod signals;
 mod stepper;
 mod stub;
 

@@ -191,7 +191,9 @@ impl<'e, 's, P: SceneRef> Curve<'e, 's, P> {
     /// The first point, with the tangent along which the value rises. None where the value cannot change there.
     pub(super) fn first(&mut self, place: Place) -> Result<Option<Node>, AnalysisError> {
         let jacobian = self.at(&place)?.jacobian;
-        let basis = RowSpace::of(&jacobian, FREE).null_space();
+        let scene = self.equations.info.name;
+        let mut rows = RowSpace::of(&jacobian, FREE).ok_or(AnalysisError::NotFinite { scene })?;
+        let basis = rows.null_space();
         let along = basis.row(self.of_value()).transpose();
         let norm = along.norm();
         if basis.is_empty() || norm <= FREE.sqrt() {

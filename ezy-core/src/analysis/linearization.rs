@@ -62,7 +62,7 @@ impl Linearization {
         let d = derivatives(&mut gradients, &at, Of::Outputs, By::Inputs).select_columns(&inputs);
         let inputs = inputs.into_iter().map(|input| info.inputs[input].name).collect();
 
-        let basis = null_space(rows);
+        let basis = null_space(rows).ok_or(AnalysisError::NotFinite { scene: info.name })?;
         let along = along(motion, n);
         let changes = rates(system, &motion.state, motion.frame, &along, &(&slopes * &along))?;
         let rates = rates(system, &motion.state, motion.frame, &basis, &(&slopes * &basis))?;
@@ -177,13 +177,13 @@ pub(super) fn rates<P: SceneRef>(
     Ok(rates)
 }
 
-/// An orthonormal basis of what all rows leave.
-pub(super) fn null_space(mut rows: DMatrix<f64>) -> DMatrix<f64> {
+/// An orthonormal basis of what all rows leave; none where they are not finite.
+pub(super) fn null_space(mut rows: DMatrix<f64>) -> Option<DMatrix<f64>> {
     for mut row in rows.row_iter_mut() {
         let norm = row.norm();
         if norm > 0.0 {
             row /= norm;
         }
     }
-    RowSpace::of(&rows, INDEPENDENT).null_space()
+    Some(RowSpace::of(&rows, INDEPENDENT)?.null_space())
 }

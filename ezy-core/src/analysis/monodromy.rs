@@ -109,7 +109,8 @@ pub(super) fn deviations<P: SceneRef>(
     let State { t, q, v, .. } = first;
     let at =
         OperatingPoint { fixed: system.fixed(), t: *t, q, v, accelerations: &accelerations, multipliers: &multipliers };
-    let basis = null_space(rows_by_states(&mut gradients, &at));
+    let rows = rows_by_states(&mut gradients, &at);
+    let basis = null_space(rows).ok_or(AnalysisError::NotFinite { scene: info.name })?;
     let mut x = basis.clone();
     for stages in states[1..states.len() - 1].chunks(N_STAGES) {
         let flows = stages.iter().map(|state| flow(system, &mut gradients, state)).collect::<Result<Vec<_>, _>>()?;

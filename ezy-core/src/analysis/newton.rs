@@ -59,14 +59,15 @@ fn newton<P: SceneRef>(
     held: &[bool],
     longest: f64,
 ) -> Result<SteadyMotion, AnalysisError> {
+    let not_finite = AnalysisError::NotFinite { scene: equations.info.name };
     let mut at = equations.at(&point);
     if !at.is_finite() {
-        return Err(AnalysisError::NotFinite { scene: equations.info.name });
+        return Err(not_finite);
     }
     let scaling = Scaling::of(&at.jacobian, held);
     for n_steps in 0..MAX_STEPS {
         let residual = scaling.residual(&at);
-        let (mut rows, step) = scaling.step(&at.jacobian, &residual);
+        let Some((mut rows, step)) = scaling.step(&at.jacobian, &residual) else { return Err(not_finite) };
         let longest = longest / equations.reach(&point, &step);
         let (norm, mut share, mut found) = (residual.norm(), longest.min(1.0), None);
         for _ in 0..MAX_HALVINGS {

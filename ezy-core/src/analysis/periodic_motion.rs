@@ -284,8 +284,8 @@ impl<'s, P: SceneRef, E: From<AnalysisError>, F: FnMut(&State, &[f64]) -> Result
         let monodromy = Monodromy { matrix, basis, moved, gap: left.amax() };
         let (trivial, spanned) = self.trivial(&monodromy.basis)?;
         let scene = self.map.info.name;
-        let (trivial_left, rest) = deflated(&monodromy.matrix, &spanned);
         let lost = || AnalysisError::NoEigenvalues { scene };
+        let (trivial_left, rest) = deflated(&monodromy.matrix, &spanned).ok_or_else(lost)?;
         let of = [self.map.info.n_coordinates(), self.map.info.n_velocities()];
         let multipliers = eigenvalues(&rest).ok_or_else(lost)?.into_iter();
         let modes = Mode::all(&monodromy.matrix, &monodromy.basis, of, multipliers).ok_or_else(lost)?;
@@ -326,9 +326,9 @@ impl<'s, P: SceneRef, E: From<AnalysisError>, F: FnMut(&State, &[f64]) -> Result
 }
 
 /// By how much a matrix leaves a subspace, and what it is on what is left beside that: its eigenvalues are those of the matrix but for those
-/// of the subspace.
-fn deflated(matrix: &DMatrix<f64>, subspace: &DMatrix<f64>) -> (f64, DMatrix<f64>) {
-    let rest = null_space(subspace.transpose());
+/// of the subspace. None where they are not finite.
+fn deflated(matrix: &DMatrix<f64>, subspace: &DMatrix<f64>) -> Option<(f64, DMatrix<f64>)> {
+    let rest = null_space(subspace.transpose())?;
     let left = if subspace.ncols() == 0 { 0.0 } else { rest.tr_mul(&(matrix * subspace)).amax() };
-    (left, rest.tr_mul(matrix) * &rest)
+    Some((left, rest.tr_mul(matrix) * &rest))
 }

@@ -149,7 +149,8 @@ impl<P: SceneRef> PositionRows<'_, P> {
     pub(super) fn null_space(&self, q: &[f64], independent: f64) -> Result<DMatrix<f64>, AnalysisError> {
         let scene = self.system.info().name;
         let at = self.at(q).ok_or(AnalysisError::NotFinite { scene })?;
-        Ok(RowSpace::of(&at.jacobian, independent).null_space())
+        let mut rows = RowSpace::of(&at.jacobian, independent).ok_or(AnalysisError::NotFinite { scene })?;
+        Ok(rows.null_space())
     }
 }
 

@@ -24,7 +24,7 @@ pub(super) fn relaxed<P: SceneRef>(
         let mut resisted = at.jacobian.clone();
         (0..mass.len()).for_each(|i| resisted[(i, i)] -= rate * mass[i]);
         let scaling = Scaling::of(&resisted, held);
-        let (_, step) = scaling.step(&resisted, &scaling.residual(&at));
+        let (_, step) = scaling.step(&resisted, &scaling.residual(&at))?;
         let reach = equations.reach(&point, &step) / STRIDE;
         if !reach.is_finite() {
             return None;

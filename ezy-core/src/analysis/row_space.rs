@@ -1,7 +1,7 @@
 //! What the rows of a matrix hold, and what they leave free: by singular values, of large matrices by sparse factors.
 
 use super::tolerances::row_space::{DAMPING, LARGEST_DENSE, LEFT, PASSES, SPARE};
-use crate::linalg::{HAS_SPARSE, KktFactorization as _, SparseKkt};
+use crate::linalg::{HAS_SPARSE, KktFactorization as _, SparseKkt, singular_values};
 use crate::scalar::SplitMix64;
 use nalgebra::{DMatrix, DVector, DVectorView, Dyn, SVD};
 
@@ -19,16 +19,19 @@ pub(super) enum RowSpace {
 }
 
 impl RowSpace {
-    /// Directions with singular values below the share `independent` of the largest are free.
-    pub(super) fn of(matrix: &DMatrix<f64>, independent: f64) -> Self {
+    /// Directions with singular values below the share `independent` of the largest are free. None where an entry is not finite.
+    pub(super) fn of(matrix: &DMatrix<f64>, independent: f64) -> Option<Self> {
+        if matrix.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
         let n = matrix.ncols();
         let sparse = if HAS_SPARSE && n > LARGEST_DENSE { SparseRows::of(matrix, independent) } else { None };
         if let Some(sparse) = sparse {
-            return Self::Sparse(Box::new(sparse));
+            return Some(Self::Sparse(Box::new(sparse)));
         }
-        let svd = matrix.clone().resize_vertically(matrix.nrows().max(n), 0.0).svd(true, true);
+        let svd = singular_values(matrix.clone().resize_vertically(matrix.nrows().max(n), 0.0), true, true)?;
         let tolerance = independent * svd.singular_values.max();
-        Self::Dense { svd, tolerance }
+        Some(Self::Dense { svd, tolerance })
     }
 
     /// The shortest x with A x = r, in the sense of least squares; none where A is not finite.

@@ -27,13 +27,13 @@ impl Scaling {
         DVector::from_fn(self.rows.len(), |i, _| self.rows[i] * at.residual[i])
     }
 
-    /// What the rows hold, and the step that they ask for.
-    pub(super) fn step(&self, jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> (RowSpace, DVector<f64>) {
+    /// What the rows hold, and the step that they ask for; none where they are not finite.
+    pub(super) fn step(&self, jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> Option<(RowSpace, DVector<f64>)> {
         let Self { rows, columns } = self;
         let scaled = DMatrix::from_fn(rows.len(), columns.len(), |i, j| rows[i] * jacobian[(i, j)] * columns[j]);
-        let mut space = RowSpace::of(&scaled, FREE);
+        let mut space = RowSpace::of(&scaled, FREE)?;
         let step = space.shortest(&-residual).unwrap_or_else(|| DVector::zeros(columns.len()));
-        (space, step.component_mul(&DVector::from_column_slice(columns)))
+        Some((space, step.component_mul(&DVector::from_column_slice(columns))))
     }
 }
 

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::failure::Failure;
+use super::progress::Progress;
 #[cfg(feature = "figures")]
 use super::shown::Drawing;
 use super::shown::{Forms, Shown};
@@ -39,7 +40,12 @@ pub(super) fn print_locus(
     let number =
         |value: &String| parse_number(value).map_err(|why| Failure::wrong_use(format!("--vary {name}: {why}")));
     let values = values.iter().map(number).collect::<Result<Vec<f64>, _>>()?;
+    let progress = Progress::of_cases(values.len() as u64);
+    let mut n_done = 0;
     let spectrum = |value: f64| {
+        n_done += 1;
+        // critical values between them take some more
+        progress.tell_cases(n_done.min(values.len() as u64), values.len() as u64);
         let at = |failure: Failure| {
             let message = format!("{name} = {}: {}", legible(value), failure.message());
             if matches!(failure, Failure::Use(_)) { Failure::Use(message) } else { Failure::Stopped(message) }
@@ -52,6 +58,7 @@ pub(super) fn print_locus(
         Target::Count(_) => Locus::without_critical_values(&values, spectrum)?,
         _ => Locus::of(&values, spectrum)?,
     };
+    drop(progress);
     let varied = Varied { path: request.path(), name, unit: unit(name, &info), locus: &locus };
     forms.show(&varied)
 }

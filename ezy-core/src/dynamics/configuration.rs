@@ -118,6 +118,22 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         pivot
     }
 
+    /// The same as cheaply as can be: sparse factors say that no row depends on others, and are at hand for the first step.
+    pub(crate) fn pivot_at_hand(&mut self) -> f64 {
+        let System { solver, active, counters, .. } = &*self.system;
+        let least = counters.least_pivot;
+        if matches!(solver, Solver::Sparse(_)) && active.held.is_empty() && active.off().is_empty() {
+            let mut all = self.system.at_with(self.t, self.q, Rows::Projected);
+            let pivot = all.factored_pivot();
+            let is_sparse = matches!(all.system.factors.made, Made::Sparse);
+            self.system.counters.least_pivot = least;
+            if is_sparse && pivot > 0.0 {
+                return pivot;
+            }
+        }
+        self.smallest_pivot()
+    }
+
     /// Whether the scene's own elimination may solve here: not where rows are redundant.
     #[inline]
     pub(super) fn may_eliminate(&self) -> bool {
@@ -243,5 +259,25 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
             },
             _ => MotionError::NotFinite { t, quantity: "the constraint Jacobian or an entry of its factors".into() },
         }
+    }
+}
+
+#[cfg(all(test, feature = "sparse"))]
+mod tests {
+    use super::{Rows, System};
+    use crate::dynamics::tests::row;
+    use crate::linalg::Backend;
+
+    /// The pivot of a start comes from the sparse factors that the first step takes, and no matrix is taken apart as a full one.
+    #[test]
+    fn invariant_pivot_of_a_start_is_that_of_the_factors() {
+        let scene = row::Swings::default();
+        let mut system = System::new(&scene, Backend::Sparse).unwrap();
+        let q = system.scene_start().q;
+        let pivot = system.at_with(0.0, &q, Rows::Held).pivot_at_hand();
+        assert_eq!(pivot, system.at_with(0.0, &q, Rows::Projected).factored_pivot());
+        assert!(pivot > 0.0 && system.factors.rank.is_none() && system.factors.dense.is_none());
+        // that of the rows alone is another number, and takes the matrix apart
+        assert!(system.at_with(0.0, &q, Rows::Held).smallest_pivot() > 0.0 && system.factors.rank.is_some());
     }
 }

@@ -1,8 +1,10 @@
 # Written by `type_stub()` of this module.
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, SupportsFloat, TypeAlias, final
+from os import PathLike
+from typing import Any, Literal, SupportsFloat, TypeAlias, final
 
 import gymnasium
+import gymnasium.vector
 import numpy as np
 import numpy.typing as npt
 
@@ -10,6 +12,10 @@ _Array: TypeAlias = npt.NDArray[np.float64]
 _Times: TypeAlias = Sequence[float] | npt.NDArray[Any]
 #: Default, unit and meaning by name.
 _Declared: TypeAlias = dict[str, tuple[float, str, str]]
+#: A number for all members of a batch, or one for each.
+_Numbers: TypeAlias = float | Sequence[float] | npt.NDArray[Any]
+#: Indices of members, or True or False for each.
+_Members: TypeAlias = Sequence[int] | Sequence[bool] | npt.NDArray[Any]
 #: A number, or its low and high bound.
 _Start: TypeAlias = Mapping[str, float | tuple[float, float]]
 
@@ -106,6 +112,63 @@ class Scene:
 
         start and inputs as for `run`, inputs as numbers alone.
         """
+    def batch(
+        self,
+        n: int,
+        step: float,
+        *,
+        start: Mapping[str, _Numbers] | None = None,
+        inputs: Mapping[str, _Numbers] | None = None,
+        parameters: Mapping[str, _Numbers] | None = None,
+        threads: int | None = None,
+    ) -> Batch:
+        """`n` steppers that step together on all cores, without the global lock.
+
+        start, inputs and parameters have values by name, each a number or an array with one for each member; threads is how many work at
+        most. The numbers are those of single steppers, whatever the number of threads.
+        """
+    def equilibrium(
+        self,
+        *,
+        start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, float] | None = None,
+        hold: Sequence[str] = ...,
+    ) -> Equilibrium:
+        """The equilibrium near the start: rest, or motion that is constant seen from a frame that travels and turns evenly.
+
+        start and inputs as for `run`, inputs as numbers alone. hold names coordinates, velocities and states that keep their value of the start.
+        """
+    def equilibria(
+        self,
+        *,
+        n_starts: int = 128,
+        start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, float] | None = None,
+        hold: Sequence[str] = ...,
+    ) -> list[Equilibrium]:
+        """All equilibria at rest that `n_starts` starts lead to: that of the scene, and others at random, which are the same each time.
+
+        start, inputs and hold as for `equilibrium`. A rest that no start leads to is not found.
+        """
+    def linearize(
+        self,
+        *,
+        start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, float] | None = None,
+        hold: Sequence[str] = ...,
+    ) -> Linearization:
+        """The linear equations x' = A x + B u, y = C x + D u of small deviations from the equilibrium near the start, with exact derivatives.
+
+        start, inputs and hold as for `equilibrium`.
+        """
+    def equations(self) -> str:
+        """The equations of the scene in LaTeX, as displayed mathematics with titles; the package `amsmath` has what they take."""
+    def sketch(self, at: float = 0.0, *, start: Mapping[str, float] | None = None) -> Sketch:
+        """A sketch of the mechanism at the time `at`, s. A notebook shows it, and `save(path)` writes it.
+
+        start has values to begin with by name, as for `run`.
+        """
+    def _repr_latex_(self) -> str: ...
     def check(self) -> None:
         """Compares the equations of the scene with finite differences; raises EzyError where they differ."""
 
@@ -123,6 +186,8 @@ class Run:
         """Names and arrays."""
     def to_dict(self) -> dict[str, _Array]:
         """A dictionary of the arrays: `pandas.DataFrame(run.to_dict())`."""
+    def animation(self) -> Animation:
+        """An animation of the run, with a frame for each sample. A notebook shows it, and `save(path)` writes it."""
     @property
     def t(self) -> _Array:
         """Times of the samples, s."""
@@ -141,6 +206,98 @@ class Run:
     @property
     def estimate(self) -> dict[str, float] | str | None:
         """With `estimate=True` the largest error of positions, velocities and so on, each in its unit; a text where there is no estimate."""
+
+@final
+class Equilibrium:
+    """Rest, or motion that is constant seen from a frame that travels and turns evenly."""
+
+    def __getitem__(self, name: str, /) -> float:
+        """The value of a coordinate, velocity or first-order state by its name."""
+    @property
+    def q(self) -> _Array:
+        """Coordinates."""
+    @property
+    def v(self) -> _Array:
+        """Velocities."""
+    @property
+    def state(self) -> dict[str, float]:
+        """Coordinates, velocities and first-order states by name."""
+    @property
+    def multipliers(self) -> dict[str, float]:
+        """Multipliers by the names of their rows."""
+    @property
+    def kind(self) -> str:
+        """Kind of the motion: "rest", "in place" where parts turn and no body moves on, "straight" or "circle"; see `frame`."""
+    @property
+    def frame(self) -> tuple[float, float, float]:
+        """Velocity of the frame in which it rests, at the origin along x and y, m/s, and its rate of turn, rad/s."""
+    @property
+    def free(self) -> list[str]:
+        """Coordinates, velocities and states in which the equilibria next to it differ; hold names some."""
+
+@final
+class Linearization:
+    """The linear equations x' = A x + B u, y = C x + D u of small deviations from an equilibrium.
+
+    x are coordinates of the tangent space of the constraints: the deviations of what `names` lists are `basis` x, seen from the frame of the
+    equilibrium.
+    """
+
+    @property
+    def equilibrium(self) -> Equilibrium:
+        """What it deviates from."""
+    @property
+    def A(self) -> _Array:
+        """A, 1/s: a row and a column for each x."""
+    @property
+    def B(self) -> _Array:
+        """B: a column for each of `inputs`."""
+    @property
+    def C(self) -> _Array:
+        """C: a row for each of `outputs`."""
+    @property
+    def D(self) -> _Array:
+        """D: a row for each of `outputs` and a column for each of `inputs`."""
+    @property
+    def basis(self) -> _Array:
+        """A row for each of `names`, and a column for each x; the columns are orthonormal."""
+    @property
+    def names(self) -> list[str]:
+        """Coordinates, velocities and first-order states."""
+    @property
+    def inputs(self) -> list[str]:
+        """Names of the inputs u."""
+    @property
+    def outputs(self) -> list[str]:
+        """Names of the outputs y."""
+    @property
+    def eigenvalues(self) -> npt.NDArray[np.complex128]:
+        """Eigenvalues of A that are not zero, 1/s, by falling real part; of a pair the one with the positive imaginary part first."""
+    @property
+    def n_zero(self) -> int:
+        """How many eigenvalues of A are zero."""
+    @property
+    def n_unstable(self) -> int:
+        """How many eigenvalues have a positive real part."""
+
+@final
+class Sketch:
+    """A technical drawing of a mechanism. A notebook shows it."""
+
+    @property
+    def svg(self) -> str:
+        """The text of the SVG file."""
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes the SVG file."""
+    def _repr_svg_(self) -> str: ...
+
+@final
+class Animation:
+    """An animation of a run: a page with the mechanism, its forces and its plots. A notebook shows it."""
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes it: as the page that `ezy animate` writes, .html, or as a picture that moves, .svg."""
+    def _repr_html_(self) -> str: ...
 
 @final
 class Stepper:
@@ -181,6 +338,47 @@ class Stepper:
 class Checkpoint:
     """Where a stepper was: from there the same steps lead to the same bits."""
 
+@final
+class Batch:
+    """Many steppers of one scene, each with its own start, inputs and parameters, that step together on all cores."""
+
+    def step(self, n: int = 1, **inputs: _Numbers) -> _Array:
+        """Sets inputs by name, each a number or an array with one for each member, takes `n` steps, and returns the times, s.
+
+        A member whose motion cannot go on stays where it is until it is reset: its reason is in `stopped`, and StoppedError is raised once,
+        when all the others have taken their steps.
+        """
+    def set(self, **inputs: _Numbers) -> None:
+        """Sets inputs by name, each a number or an array with one for each member; none of them where one cannot be set."""
+    def reset(self, members: _Members | None = None, start: Mapping[str, _Numbers] | None = None) -> None:
+        """Brings members back to their starts: all of them, or those of indices or of a mask. start has values by name, each a number or an
+        array with one for each of these members. Where a member cannot take its start it stays where it is, and the others are reset.
+        """
+    def __getitem__(self, name: str, /) -> _Array:
+        """The present values of a coordinate, velocity, output or input, or of the time `t`, by its name: one for each member."""
+    def __len__(self) -> int: ...
+    @property
+    def t(self) -> _Array:
+        """Time of each member, s."""
+    @property
+    def q(self) -> _Array:
+        """Coordinates: a row for each member, in the order of `names`."""
+    @property
+    def v(self) -> _Array:
+        """Velocities: a row for each member."""
+    @property
+    def outputs(self) -> _Array:
+        """Outputs, with the present inputs: a row for each member."""
+    @property
+    def inputs(self) -> dict[str, _Array]:
+        """Present inputs by name, one for each member."""
+    @property
+    def names(self) -> dict[str, list[str]]:
+        """Names of coordinates, velocities and outputs."""
+    @property
+    def stopped(self) -> dict[int, str]:
+        """The members whose motion cannot go on, by index, with the reason."""
+
 class Environment(gymnasium.Env[_Array, _Array]):
     """A scene as an environment of Gymnasium.
 
@@ -213,6 +411,49 @@ class Environment(gymnasium.Env[_Array, _Array]):
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[_Array, dict[str, Any]]:
         """Begins an episode; options may have a `start` with values by name, which go before those of the environment."""
     def step(self, action: npt.ArrayLike) -> tuple[_Array, float, bool, bool, dict[str, Any]]:
+        """Sets the inputs and goes on by `every` s."""
+
+class VectorEnvironment(gymnasium.vector.VectorEnv[_Array, _Array, npt.NDArray[Any]]):
+    """Many environments of one scene that step together, on all cores: a VectorEnv of Gymnasium.
+
+    num_envs is how many; scene, step and all else are as for Environment. reward and terminated are functions of the batch after the actions:
+    `now["bar.phi"]` is an array with a number for each member, and so is what they return. parameters has arrays by name, one number for each
+    member; threads is how many work at most. autoreset_mode is one of Gymnasium's: "NextStep", "SameStep" or "Disabled". The numbers are
+    those of `gymnasium.vector.SyncVectorEnv` of so many Environments, to the bit.
+
+    Raises EzyError for what cannot be used.
+    """
+
+    batch: Batch
+    inputs: list[str]
+    observe: list[str]
+    def __init__(
+        self,
+        scene: Scene,
+        num_envs: int,
+        step: float,
+        *,
+        inputs: Mapping[str, tuple[float, float]],
+        reward: Callable[[Batch], npt.ArrayLike],
+        terminated: Callable[[Batch], npt.ArrayLike] | None = None,
+        observe: Sequence[str] | None = None,
+        start: _Start | Callable[[np.random.Generator], Mapping[str, float]] | None = None,
+        every: float | None = None,
+        until: float | None = None,
+        parameters: Mapping[str, _Numbers] | None = None,
+        threads: int | None = None,
+        autoreset_mode: Literal["NextStep", "SameStep", "Disabled"] | gymnasium.vector.AutoresetMode = "NextStep",
+    ) -> None: ...
+    def reset(
+        self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[_Array, dict[str, Any]]:
+        """Begins episodes; options may have a `start` with values by name, and a `reset_mask` of the environments that are meant.
+
+        seed is that of the first environment, and the next ones have the next numbers; or it is a list with one for each.
+        """
+    def step(
+        self, actions: npt.ArrayLike
+    ) -> tuple[_Array, npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any], dict[str, Any]]:
         """Sets the inputs and goes on by `every` s."""
 
 def type_stub() -> str:

@@ -28,7 +28,7 @@ fn cross_sparse_rows_leave_the_same_free() {
     // with as many rows as columns, too
     for (n_cut, angle) in [(2, 0.0), (3, 0.0), (3, 1e-9), (7, 1e-5), (20, 1e-9)] {
         let rows = ring(230, n_cut, angle);
-        let mut sparse = RowSpace::of(&rows, FREE);
+        let mut sparse = RowSpace::of(&rows, FREE).unwrap();
         assert_eq!(matches!(sparse, RowSpace::Sparse(_)), HAS_SPARSE);
         let null = sparse.null_space();
 

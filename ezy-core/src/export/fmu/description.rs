@@ -35,10 +35,10 @@ struct Value {
 /// All values, by their references.
 fn values(source: &Source<'_>) -> Vec<Value> {
     let info = &source.info;
-    let rate = |unit: &str| match unit {
-        "" | "1" => "1/s".to_owned(),
-        // a quotient goes on as one
-        unit => format!("{unit}/s"),
+    let rate = |unit: &str| match (unit, unit.strip_suffix("/s")) {
+        ("" | "1", _) => "1/s".to_owned(),
+        (_, Some(of)) => format!("{of}/s^2"),
+        (unit, None) => format!("{unit}/s"),
     };
     let parameters =
         info.parameters.iter().zip(&source.parameters).map(|(of, &x)| (Role::Parameter, of.unit, x, of.documentation));

@@ -77,27 +77,22 @@ static void update_constants(State *state) {
     state->is_evaluated = 0;
 }
 
-/* Derivatives of the states and multipliers at (t, x). */
-static int evaluate(Instance *instance, double t, const double *x, double *dx, double *lambda) {
+/* Derivatives of the states and multipliers at (t, x). Returns why there are none, or NULL. */
+static const char *evaluate(const Instance *instance, double t, const double *x, double *dx, double *lambda) {
     const double *q = x, *v = x + N_Q, *z = v + N_V, *u = instance->state.u, *c = instance->state.c;
     (void)z, (void)u;
 #if N_PIVOTS > 0
     double pivot[N_PIVOTS];
     CALL(pivot)(ARGUMENTS, pivot);
     for (int i = 0; i < N_PIVOTS; i++)
-        if (!(pivot[i] > 1)) {
-            failed(instance, t, "constraints depend on each other, so that accelerations are not determined,");
-            return ERROR;
-        }
+        if (!(pivot[i] > 1)) return "constraints depend on each other, so that accelerations are not determined,";
 #endif
     memcpy(dx, v, N_V * sizeof *dx);
     CALL(accelerations)(ARGUMENTS, dx + N_Q, lambda);
 #if N_Z > 0
     CALL(state_rates)(ARGUMENTS, dx + N_Q + N_V);
 #endif
-    if (is_finite(N_X, dx)) return OK;
-    failed(instance, t, "accelerations are not finite");
-    return ERROR;
+    return is_finite(N_X, dx) ? NULL : "accelerations are not finite";
 }
 
 /* Brings dx, multipliers and outputs up to the present state. */
@@ -105,7 +100,11 @@ static int refresh(Instance *instance) {
     State *state = &instance->state;
     update_constants(state);
     if (state->is_evaluated) return OK;
-    if (evaluate(instance, state->t, state->x, state->dx, state->lambda) != OK) return ERROR;
+    const char *why = evaluate(instance, state->t, state->x, state->dx, state->lambda);
+    if (why) {
+        failed(instance, state->t, why);
+        return ERROR;
+    }
 #if N_OUTPUTS > 0
     double t = state->t;
     const double *q = state->x, *v = q + N_Q, *z = v + N_V, *u = state->u, *c = state->c;
@@ -249,8 +248,9 @@ static double drift(const State *state) {
 #endif
 }
 
-/* One try of a step of length h from the present state: end in `x`; returns the error over the tolerance, negative when something failed. */
-static double attempt(Instance *instance, double h, double *x) {
+/* One try of a step of length h from the present state: end in `x`; returns the error over the tolerance, infinite where `why` says that there
+ * are no accelerations on the way. */
+static double attempt(const Instance *instance, double h, double *x, const char **why) {
     /* Dormand and Prince, J. Comp. Appl. Math. 6 (1980): order 5 with an estimate of order 4 */
     static const double nodes[7] = {0, 1. / 5, 3. / 10, 4. / 5, 8. / 9, 1, 1};
     static const double stages[7][6] = {
@@ -263,7 +263,7 @@ static double attempt(Instance *instance, double h, double *x) {
         {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84},
     };
     static const double errors[7] = {71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
-    State *state = &instance->state;
+    const State *state = &instance->state;
     double k[7][N_X + 1], lambda[N_ROWS + 1];
     for (int stage = 0; stage < 7; stage++) {
         for (int i = 0; i < N_X; i++) {
@@ -271,7 +271,8 @@ static double attempt(Instance *instance, double h, double *x) {
             for (int j = 0; j < stage; j++) sum += stages[stage][j] * k[j][i];
             x[i] = state->x[i] + h * sum;
         }
-        if (evaluate(instance, state->t + nodes[stage] * h, x, k[stage], lambda) != OK) return -1;
+        *why = evaluate(instance, state->t + nodes[stage] * h, x, k[stage], lambda);
+        if (*why) return INFINITY;
     }
     double most = 0;
     for (int i = 0; i < N_X; i++) {
@@ -286,17 +287,17 @@ static double attempt(Instance *instance, double h, double *x) {
 /* Steps of co-simulation from the present state to t = end, or to where the scene ends. */
 static int integrate(Instance *instance, double end) {
     State *state = &instance->state;
+    const char *why = NULL;
     update_constants(state);
     while (state->t < end && !state->has_ended) {
         double x[N_X + 1], left = end - state->t;
         double h = state->step > 0 && state->step < left ? state->step : left;
         int is_last = h == left;
         if (!(state->t + h > state->t)) {
-            failed(instance, state->t, "the tolerance asks for steps below the rounding of t; give a larger one");
+            failed(instance, state->t, why ? why : "the tolerance asks for steps below the rounding of t; give a larger one");
             return ERROR;
         }
-        double error = attempt(instance, h, x);
-        if (error < 0) return ERROR;
+        double error = attempt(instance, h, x, &why);
         double factor = error > 0 ? 0.9 * pow(error, -0.2) : 5;
         factor = factor > 5 ? 5 : factor < 0.2 ? 0.2 : factor;
         if (!(error <= 1)) {
@@ -314,7 +315,10 @@ static int integrate(Instance *instance, double end) {
             for (int i = 0; i < MAX_HALVINGS; i++) {
                 double middle = low + (high - low) / 2;
                 *state = before;
-                if (attempt(instance, middle, x) < 0) return ERROR;
+                if (!isfinite(attempt(instance, middle, x, &why))) {
+                    failed(instance, state->t, why ? why : "the error of a step is not finite");
+                    return ERROR;
+                }
                 memcpy(state->x, x, N_X * sizeof *x);
                 state->t += middle;
                 if (project(instance, state->t, state->x) != OK) return ERROR;

@@ -46,7 +46,7 @@ impl Watch {
             steps: StepWatch::new(*t),
             positions: ResidualWatch::new("position", position, projection.positions(), *t, &info),
             velocities: ResidualWatch::new("velocity", velocity, projection.velocities(), *t, &info),
-            pivot: of_rows.then(|| LeastPivot { value: system.at_with(*t, q, Rows::Held).smallest_pivot(), t: *t }),
+            pivot: of_rows.then(|| LeastPivot { value: system.at_with(*t, q, Rows::Held).pivot_at_hand(), t: *t }),
             condition: ConditionWatch::new(system, start),
             energy: measured.then(|| EnergyWatch::new(system, start)),
         }

@@ -1,6 +1,6 @@
 //! The equations of a scene as source text of another language, one file without a dependency on EZY.
 //!
-//! The kernels of a scene run once on [`Recorded`](crate::scalar::Recorded) numbers; what they computed is printed by one family of printers, so
+//! The kernels of a scene run once on [`Recorded`] numbers; what they computed is printed by one family of printers, so
 //! that a file computes what a run computes. It knows nothing of runs: how a start is assembled, how rows are switched and how steps are made
 //! is left to whoever calls it.
 

@@ -144,7 +144,7 @@ unit = execution.add_local_slave(CosimLocalSlave(sys.argv[1], 'roller'))
 observer = CosimObserver.create_last_value()
 execution.add_observer(observer)
 assert execution.simulate_until(2 * 10**9)
-print(*observer.last_real_values(unit, [references[name] for name in ('seat.x', 'seat.y', 'bar.phi')]))
+print('found', *observer.last_real_values(unit, [references[name] for name in ('seat.x', 'seat.y', 'bar.phi')]))
 ";
     let python = std::env::var("EZY_PYTHON").unwrap_or_else(|_| "python3".to_owned());
     let done = Command::new(python).args(["-c", program, unit]).output().expect("it has started before");
@@ -153,9 +153,12 @@ print(*observer.last_real_values(unit, [references[name] for name in ('seat.x', 
         return;
     }
     assert!(done.status.success(), "{}", text(&done.stderr));
-    let last = text(&done.stdout);
-    let found = last.lines().last().expect("a line").split(' ').map(|x| x.parse::<f64>().unwrap());
-    for (x, y) in found.zip(expected) {
+    // its log goes to the same place
+    let printed = text(&done.stdout);
+    let line = printed.lines().find_map(|line| line.strip_prefix("found ")).expect("what was found");
+    let found: Vec<f64> = line.split(' ').map(|x| x.parse().unwrap()).collect();
+    assert_eq!(found.len(), expected.len(), "{line}");
+    for (x, y) in found.iter().zip(expected) {
         assert!((x - y).abs() <= BY_DEFAULT, "{x} for {y}");
     }
 }

@@ -51,33 +51,7 @@ static inline double ezy_sign(double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : x;
 ";
 
 /// Gaussian elimination with row exchanges.
-const SOLVE: &str = "
-/* Solves for n unknowns by elimination with row exchanges. x is the right side, then the solution: not finite where the matrix is singular. */
-static void ezy_solve(int n, double *matrix, double *x) {
-    for (int k = 0; k < n; k++) {
-        int largest = k;
-        for (int i = k + 1; i < n; i++)
-            if (fabs(matrix[i * n + k]) > fabs(matrix[largest * n + k])) largest = i;
-        for (int j = k; j < n && largest != k; j++) {
-            double held = matrix[k * n + j];
-            matrix[k * n + j] = matrix[largest * n + j];
-            matrix[largest * n + j] = held;
-        }
-        double held = x[k];
-        x[k] = x[largest];
-        x[largest] = held;
-        for (int i = k + 1; i < n; i++) {
-            double factor = matrix[i * n + k] / matrix[k * n + k];
-            for (int j = k + 1; j < n && factor != 0; j++) matrix[i * n + j] -= factor * matrix[k * n + j];
-            x[i] -= factor * x[k];
-        }
-    }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int j = i + 1; j < n; j++) x[i] -= matrix[i * n + j] * x[j];
-        x[i] /= matrix[i * n + i];
-    }
-}
-";
+pub(super) const SOLVE: &str = include_str!("solve.c");
 
 impl C {
     pub(super) fn file(&self, source: &Source<'_>) -> String {
@@ -162,7 +136,7 @@ fn accelerations(source: &Source<'_>, prefix: &str) -> String {
     ]);
     let results = [format!("acceleration /* {n_v} */"), format!("multiplier /* {n_c} */")];
     let about = "Accelerations and multipliers; not finite where rows depend on each other.";
-    SOLVE.to_owned() + &function(prefix, "accelerations", &arguments, &results, about, &lines)
+    format!("\n{SOLVE}") + &function(prefix, "accelerations", &arguments, &results, about, &lines)
 }
 
 fn function(

@@ -8,12 +8,19 @@ pub(super) trait Syntax {
     fn number(&self, x: f64) -> String;
 
     /// Infinity, or what is no number: constants that a parameter of zero makes so.
-    fn not_finite(&self, is_nan: bool) -> String;
+    fn not_finite(&self, is_nan: bool) -> String {
+        if is_nan { "NaN" } else { "Inf" }.to_owned()
+    }
 
-    fn pi(&self) -> String;
+    fn pi(&self) -> String {
+        "pi".to_owned()
+    }
 
     /// Name of a function of one number.
-    fn function(&self, function: Function) -> String;
+    fn function(&self, function: Function) -> String {
+        let names = ["sin", "cos", "tan", "asin", "acos", "sqrt", "exp", "log", "tanh", "abs", "sign"];
+        names[function as usize].to_owned()
+    }
 
     /// A function of two numbers.
     fn pair(&self, pair: Pair, first: &str, second: &str) -> String;

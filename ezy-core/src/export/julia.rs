@@ -1,6 +1,6 @@
 //! Julia, for numbers of any type.
 
-use crate::scalar::{Function, Pair};
+use crate::scalar::Pair;
 
 use super::Source;
 use super::expression::Syntax;
@@ -15,19 +15,6 @@ pub(super) struct Julia;
 impl Syntax for Julia {
     fn number(&self, x: f64) -> String {
         format!("{x:?}")
-    }
-
-    fn not_finite(&self, is_nan: bool) -> String {
-        if is_nan { "NaN" } else { "Inf" }.to_owned()
-    }
-
-    fn pi(&self) -> String {
-        "pi".to_owned()
-    }
-
-    fn function(&self, function: Function) -> String {
-        let names = ["sin", "cos", "tan", "asin", "acos", "sqrt", "exp", "log", "tanh", "abs", "sign"];
-        names[function as usize].to_owned()
     }
 
     fn pair(&self, pair: Pair, first: &str, second: &str) -> String {

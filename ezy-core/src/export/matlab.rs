@@ -1,6 +1,6 @@
 //! MATLAB and GNU Octave: one function, which returns the others.
 
-use crate::scalar::{Function, Pair};
+use crate::scalar::Pair;
 
 use super::Source;
 use super::expression::Syntax;
@@ -15,19 +15,6 @@ pub(super) struct Matlab;
 impl Syntax for Matlab {
     fn number(&self, x: f64) -> String {
         if x.fract() == 0.0 && x < 1e15 { format!("{x}") } else { format!("{x:?}") }
-    }
-
-    fn not_finite(&self, is_nan: bool) -> String {
-        if is_nan { "NaN" } else { "Inf" }.to_owned()
-    }
-
-    fn pi(&self) -> String {
-        "pi".to_owned()
-    }
-
-    fn function(&self, function: Function) -> String {
-        let names = ["sin", "cos", "tan", "asin", "acos", "sqrt", "exp", "log", "tanh", "abs", "sign"];
-        names[function as usize].to_owned()
     }
 
     fn pair(&self, pair: Pair, first: &str, second: &str) -> String {

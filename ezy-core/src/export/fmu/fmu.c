@@ -156,31 +156,10 @@ static double largest(int n, const double *x) {
     return most;
 }
 
-/* Solves for n unknowns by elimination with row exchanges: x is the right side, then the solution. */
-static void solve(int n, double *matrix, double *x) {
-    for (int k = 0; k < n; k++) {
-        int most = k;
-        for (int i = k + 1; i < n; i++)
-            if (fabs(matrix[i * n + k]) > fabs(matrix[most * n + k])) most = i;
-        for (int j = k; j < n && most != k; j++) {
-            double held = matrix[k * n + j];
-            matrix[k * n + j] = matrix[most * n + j];
-            matrix[most * n + j] = held;
-        }
-        double held = x[k];
-        x[k] = x[most];
-        x[most] = held;
-        for (int i = k + 1; i < n; i++) {
-            double factor = matrix[i * n + k] / matrix[k * n + k];
-            for (int j = k + 1; j < n && factor != 0; j++) matrix[i * n + j] -= factor * matrix[k * n + j];
-            x[i] -= factor * x[k];
-        }
-    }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int j = i + 1; j < n; j++) x[i] -= matrix[i * n + j] * x[j];
-        x[i] /= matrix[i * n + i];
-    }
-}
+#if HAS_DERIVATIVES
+/* else the equations have it */
+#include "solve.c"
+#endif
 
 /* The smallest change in the metric of the masses that removes `residual` of the rows: [M G'; G 0] [change; .] = [0; -residual]. */
 static void correction(double t, const State *state, const double *x, const double *residual, double *change) {
@@ -195,7 +174,7 @@ static void correction(double t, const State *state, const double *x, const doub
             matrix[i * N_K + N_V + j] = matrix[(N_V + j) * N_K + i] = jacobian[j * N_V + i];
     }
     for (int j = 0; j < N_ROWS; j++) solution[N_V + j] = -residual[j];
-    solve(N_K, matrix, solution);
+    ezy_solve(N_K, matrix, solution);
     memcpy(change, solution, N_V * sizeof *change);
 }
 

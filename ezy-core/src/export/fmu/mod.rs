@@ -8,7 +8,7 @@ mod units;
 
 use std::fmt::Write as _;
 
-use super::c::C;
+use super::c::{C, SOLVE};
 use super::head::file_name;
 use super::{ExportError, Source, Start, prepared};
 use crate::model::{Direction, EventKind, Scene, SceneInfo};
@@ -67,6 +67,7 @@ pub fn unit(scene: &dyn Scene, version: Version, start: Start<'_>) -> Result<Uni
         ("sources/fmu.c".to_owned(), include_str!("fmu.c").to_owned()),
         ("sources/equations.c".to_owned(), equations),
         ("sources/scene.h".to_owned(), sizes),
+        ("sources/solve.c".to_owned(), SOLVE.to_owned()),
     ];
     files.extend(match version {
         Version::Two => vec![("sources/fmi2.c".to_owned(), include_str!("fmi2.c").to_owned())],

@@ -142,7 +142,9 @@ impl<P: SceneRef> System<P> {
 
     /// The inputs, to set them; they start with their declared values.
     pub fn inputs_mut(&mut self) -> &mut [f64] {
-        self.factors.forget();
+        if self.info.n_inputs() > 0 {
+            self.factors.forget();
+        }
         &mut self.fixed[..self.info.n_inputs()]
     }
 

@@ -25,7 +25,6 @@ pub(crate) mod repeats;
 mod scene_info;
 pub(crate) mod series;
 mod start;
-#[cfg(feature = "analysis")]
 pub(crate) mod with_derivatives;
 
 pub use body_kind::{BodyKind, Component};
@@ -56,9 +55,8 @@ use std::borrow::Cow;
 use std::ops::Deref;
 use std::sync::Arc;
 #[cfg(feature = "analysis")]
-pub(crate) use with_derivatives::N_DERIVATIVES;
-#[cfg(feature = "analysis")]
-pub use with_derivatives::{Derivatives, EquationsWithDerivatives};
+pub use with_derivatives::Derivatives;
+pub use with_derivatives::{EquationsWithDerivatives, N_DERIVATIVES};
 
 /// A name: text of the program, or made at run time for a member of an array. It prints as text and compares with `"x"`.
 pub type Name = Cow<'static, str>;

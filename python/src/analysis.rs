@@ -15,7 +15,7 @@ use pyo3::types::PyMapping;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 #[cfg(not(feature = "analysis"))]
-pub(crate) use without::{equilibria, equilibrium, linearize};
+pub(crate) use without::{equilibria, equilibrium, linearize, missing};
 
 /// What is asked for of a scene.
 #[cfg_attr(not(feature = "analysis"), expect(dead_code, reason = "what is asked for is refused"))]
@@ -234,22 +234,23 @@ mod without {
     use super::{PyEquilibrium, PyLinearization, Request, wrong};
     use pyo3::prelude::*;
 
-    fn missing() -> PyErr {
+    /// What the features do not have.
+    pub(crate) fn missing() -> PyErr {
         wrong(
             "this module was built without analysis; add it to the features of ezy-python in Cargo.toml: \
              ezy-python = { …, features = [\"analysis\"] }",
         )
     }
 
-    pub(crate) fn equilibrium(_: Python<'_>, _: &Request) -> PyResult<PyEquilibrium> {
+    pub(crate) fn equilibrium(_: Python<'_>, _: Request) -> PyResult<PyEquilibrium> {
         Err(missing())
     }
 
-    pub(crate) fn equilibria(_: Python<'_>, _: &Request, _: usize) -> PyResult<Vec<PyEquilibrium>> {
+    pub(crate) fn equilibria(_: Python<'_>, _: Request, _: usize) -> PyResult<Vec<PyEquilibrium>> {
         Err(missing())
     }
 
-    pub(crate) fn linearize(_: Python<'_>, _: &Request) -> PyResult<PyLinearization> {
+    pub(crate) fn linearize(_: Python<'_>, _: Request) -> PyResult<PyLinearization> {
         Err(missing())
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::error::{StoppedError, wrong};
 use crate::inputs::{Numbers, Values, numbers_of_members};
+use crate::signals::BETWEEN_SIGNALS;
 use crate::stepper::{Places, value};
 use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::record::input_index;
@@ -122,22 +123,28 @@ impl PyBatch {
         inputs: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         self.set(inputs)?;
-        let n_steps = n as f64 * self.members().len() as f64;
-        // a float too large for a whole number is as many as there are
-        let worth = (self.seconds_of_step * n_steps / LEAST_WORK_S) as usize;
-        let n_threads = self.most_threads.min(worth.max(1));
+        let n_members = self.members().len() as f64;
+        let were_stopped = self.members().iter().filter(|member| member.stopped.is_some()).count();
+        let mut left = n;
+        while left > 0 {
+            // a float too large for a whole number is as many as there are
+            let worth = (self.seconds_of_step * left as f64 * n_members / LEAST_WORK_S) as usize;
+            let n_threads = self.most_threads.min(worth.max(1));
+            // all have taken as many steps when a signal comes
+            let until_signals = BETWEEN_SIGNALS.as_secs_f64() * n_threads as f64 / (self.seconds_of_step * n_members);
+            let n = left.min((until_signals as u64).max(1));
+            let (members, began) = (self.members(), Instant::now());
+            py.detach(|| on_threads(members, n_threads, |member| member.step(n)));
+            self.seconds_of_step = began.elapsed().as_secs_f64() * n_threads as f64 / (n as f64 * n_members);
+            left -= n;
+            py.check_signals()?;
+        }
         let members = self.members();
-        let were_stopped = members.iter().filter(|member| member.stopped.is_some()).count();
-        let began = Instant::now();
-        py.detach(|| on_threads(members, n_threads, |member| member.step(n)));
         let stopped: Vec<(usize, &String)> =
             members.iter().enumerate().filter_map(|(i, member)| Some((i, member.stopped.as_ref()?))).collect();
         if let (Some((i, why)), true) = (stopped.first(), stopped.len() > were_stopped) {
             let text = format!("{} of {} members stopped; member {i}: {why}", stopped.len(), members.len());
             return Err(StoppedError::new_err(text));
-        }
-        if n_steps > 0.0 {
-            self.seconds_of_step = began.elapsed().as_secs_f64() * n_threads as f64 / n_steps;
         }
         Ok(self.t(py))
     }

@@ -20,6 +20,18 @@ pub(crate) fn numbers(given: Option<&Bound<'_, PyMapping>>) -> PyResult<Vec<(Str
     entries(given)?.into_iter().map(of).collect()
 }
 
+/// Name and numbers of each entry.
+pub(crate) fn lists(given: &Bound<'_, PyMapping>) -> PyResult<Vec<(String, Vec<f64>)>> {
+    let of = |(name, values): (String, Bound<'_, PyAny>)| {
+        let numbers: Option<PyArrayLikeDyn<'_, f64, AllowTypeChange>> = values.extract().ok();
+        match numbers.as_ref().map(|numbers| numbers.as_array()).filter(|numbers| numbers.ndim() <= 1) {
+            Some(numbers) => Ok((name, numbers.iter().copied().collect())),
+            None => Err(wrong(format!("`{name}` takes numbers, such as [1, 2, 3], but was given {values}"))),
+        }
+    };
+    entries(Some(given))?.into_iter().map(of).collect()
+}
+
 /// A constant, or a pair of times and values: the input is linear between them and keeps the last value.
 pub(crate) fn tables(given: Option<&Bound<'_, PyMapping>>) -> PyResult<Vec<(String, InputTable)>> {
     let of = |(name, value): (String, Bound<'_, PyAny>)| {

@@ -15,12 +15,15 @@ mod environment;
 mod error;
 mod inputs;
 mod model;
+mod motion;
 mod notebook;
 mod run;
 mod scene;
+mod sensitivities;
 mod signals;
 mod stepper;
 mod stub;
+mod sweep;
 
 pub use error::{EzyError, StoppedError};
 
@@ -50,6 +53,7 @@ pub fn add_models(module: &Bound<'_, PyModule>, models: &[&'static ModelInfo]) -
     module.add_class::<model::SceneType>()?;
     module.add_class::<scene::PyScene>()?;
     module.add_class::<run::PyRun>()?;
+    module.add_class::<sensitivities::PySensitivities>()?;
     module.add_class::<stepper::PyStepper>()?;
     module.add_class::<stepper::PyCheckpoint>()?;
     module.add_class::<batch::PyBatch>()?;

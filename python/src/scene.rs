@@ -3,12 +3,15 @@
 use crate::analysis::{self, PyEquilibrium, PyLinearization, Request};
 use crate::batch::{PyBatch, Settings};
 use crate::error::{StoppedError, wrong};
-use crate::inputs::{Numbers, numbers, numbers_of_members, tables};
+use crate::inputs::{Numbers, lists, numbers, numbers_of_members, tables};
+use crate::motion::{MethodChoice, Motion};
 use crate::notebook::{PySketch, latex};
 use crate::run::PyRun;
-use crate::signals::simulate;
+use crate::sensitivities::{PySensitivities, Samples, sensitivities};
+use crate::signals::{left_to_itself, simulate};
 use crate::stepper::PyStepper;
-use ezy_core::integrate::{Method, MethodKind, Tolerance};
+use crate::sweep;
+use ezy_core::integrate::Method;
 use ezy_core::model::{ModelInfo, Scene, SceneEntry};
 use ezy_core::record::find_name;
 use ezy_core::report::drawing;
@@ -18,9 +21,6 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyMapping};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-
-/// Samples, besides the first, of a run that says nothing of them: a figure shows no corners.
-const N_INTERVALS: f64 = 500.0;
 
 /// Steppers of a batch: each takes some kilobytes, and what is too much ends the process.
 const MOST_MEMBERS: usize = 1_000_000;
@@ -51,9 +51,7 @@ impl PyScene {
         };
         let places = parameters.iter().map(|(name, _)| index(name)).collect::<PyResult<Vec<_>>>()?;
         let own = |i: usize| {
-            let mut scene = (self.entry.new)();
-            (0..info.counts().len()).for_each(|k| scene.set_count(k, self.scene.count(k)));
-            (0..info.parameters.len()).for_each(|k| scene.set_parameter(k, self.scene.parameter(k)));
+            let mut scene = self.copy();
             places.iter().zip(parameters).for_each(|(k, (_, values))| scene.set_parameter(*k, values.at(i)));
             Arc::from(scene)
         };
@@ -61,6 +59,14 @@ impl PyScene {
             true => vec![Arc::clone(&self.scene); n],
             false => (0..n).map(own).collect(),
         })
+    }
+
+    /// One like it, to be changed.
+    fn copy(&self) -> Box<dyn Scene> {
+        let (mut scene, info) = ((self.entry.new)(), self.scene.info());
+        (0..info.counts().len()).for_each(|k| scene.set_count(k, self.scene.count(k)));
+        (0..info.parameters.len()).for_each(|k| scene.set_parameter(k, self.scene.parameter(k)));
+        scene
     }
 
     /// The run, or an exception that has it.
@@ -85,34 +91,6 @@ impl PyScene {
     fn simulation<'s>(&self) -> Simulation<'s, Arc<dyn Scene>> {
         Simulation::new(Arc::clone(&self.scene))
     }
-}
-
-/// A method by its name and its setting.
-fn method(name: Option<&str>, rtol: Option<f64>, atol: Option<f64>, step: Option<f64>) -> PyResult<Method> {
-    let kind = match name {
-        Some(name) => {
-            let i = find_name("method", name, MethodKind::ALL.iter().map(|kind| kind.name())).map_err(wrong)?;
-            MethodKind::ALL[i]
-        }
-        None if step.is_some() => MethodKind::Rk4,
-        None => Method::default().kind(),
-    };
-    let name = kind.name();
-    let has_tolerance = rtol.or(atol).is_some();
-    if let Some(step) = step {
-        let method = kind.with_step(step).filter(|_| !has_tolerance);
-        return method.ok_or_else(|| {
-            wrong(match kind.with_step(step) {
-                Some(_) => format!("{name} has a fixed step and no tolerance: give `step` alone, or a method with a tolerance, such as \"dop853\""),
-                None => format!("{name} chooses the length of its steps: give `rtol` in place of `step`"),
-            })
-        });
-    }
-    let relative = rtol.unwrap_or(Tolerance::DEFAULT);
-    let tolerance = Tolerance::new(relative, atol.unwrap_or(relative));
-    kind.with_tolerance(tolerance).ok_or_else(|| {
-        wrong(format!("{name} has a fixed step and no tolerance: give `step`, in s, or a method with a tolerance, such as \"dop853\""))
-    })
 }
 
 #[pymethods]
@@ -170,29 +148,19 @@ impl PyScene {
         estimate: bool,
         work: bool,
     ) -> PyResult<PyRun> {
-        let (info, flag) = (self.scene.info(), AtomicBool::new(false));
-        let method = self::method(method, rtol, atol, step)?;
-        let mut simulation = self.simulation().method(method).until(until.unwrap_or(info.until_s));
-        simulation = simulation.interrupted_by(&flag);
-        if info.n_outputs() > 0 {
+        let choice = MethodChoice { name: method, rtol, atol, step };
+        let motion = Motion::new(&choice, until, start, tables(inputs)?, project_start)?;
+        let (scene, flag) = (&self.scene, AtomicBool::new(false));
+        let mut simulation = motion.simulation(Arc::clone(scene)).interrupted_by(&flag);
+        if scene.info().n_outputs() > 0 {
             simulation = simulation.outputs();
         }
-        let until = until.unwrap_or(info.until_s);
-        let by_itself = (at.is_none() && until > 0.0).then_some(until / N_INTERVALS);
+        let by_itself = if at.is_none() { motion.interval(&**scene) } else { None };
         if let Some(every) = every.or(by_itself) {
             simulation = simulation.every(every);
         }
         if let Some(at) = at {
             simulation = simulation.at(at);
-        }
-        for (name, value) in numbers(start)? {
-            simulation = simulation.start(name, value);
-        }
-        for (name, table) in tables(inputs)? {
-            simulation = simulation.input(name, table);
-        }
-        if project_start {
-            simulation = simulation.project_start();
         }
         if estimate {
             simulation = simulation.estimate_error();
@@ -201,7 +169,86 @@ impl PyScene {
             simulation = simulation.work();
         }
         let run = simulate(py, simulation, &flag)?;
-        self.finished(py, run, method)
+        self.finished(py, run, motion.method)
+    }
+
+    /// Runs the scene for all values of what `vary` names, on all cores: parameters, counts, inputs and start values. Returns a dictionary of
+    /// arrays with a number for each run: `pandas.DataFrame(table)`.
+    ///
+    /// vary: sequences of values by name; each value meets each other one, the last name varies fastest
+    /// together: the first values belong together, then the second ones, and so on
+    /// keep: what is kept of each run: "seat.vx" at its end, "max:output.speed", "event:landed"; positions and velocities if not given
+    /// threads: how many work at most
+    /// lanes: runs eight neighbours together, by dop853, where only their ends are kept
+    /// every: time between the samples from which extremes are taken, s
+    /// until, rtol, atol, step, method, start, inputs and project_start as for `run`
+    ///
+    /// A run that fails is a row with its outcome and a message.
+    #[pyo3(signature = (vary, *, together=false, keep=vec![], threads=None, lanes=false, every=None, until=None, rtol=None, atol=None, step=None, method=None, start=None, inputs=None, project_start=false))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
+    fn sweep<'py>(
+        &self,
+        py: Python<'py>,
+        vary: &Bound<'py, PyMapping>,
+        together: bool,
+        keep: Vec<String>,
+        threads: Option<usize>,
+        lanes: bool,
+        every: Option<f64>,
+        until: Option<f64>,
+        rtol: Option<f64>,
+        atol: Option<f64>,
+        step: Option<f64>,
+        method: Option<&str>,
+        start: Option<&Bound<'py, PyMapping>>,
+        inputs: Option<&Bound<'py, PyMapping>>,
+        project_start: bool,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let choice = MethodChoice { name: method, rtol, atol, step };
+        let request = sweep::Request {
+            vary: lists(vary)?,
+            together,
+            keep,
+            every_s: every,
+            n_threads: threads,
+            in_lanes: lanes,
+            motion: Motion::new(&choice, until, start, tables(inputs)?, project_start)?,
+        };
+        request.run(py, &*self.scene, || self.copy())
+    }
+
+    /// A run with the exact derivatives of coordinates, velocities and first-order states by what `by` names: parameters, and values that the
+    /// start gives. They are those of the computed motion.
+    ///
+    /// until, rtol, atol, step, method, every, at, start and project_start as for `run`, inputs as numbers alone. Methods are "dop853", "rk4" and
+    /// "midpoint". Start values stay as they are when a parameter changes, and what the start does not give follows the constraints.
+    ///
+    /// Raises EzyError for what cannot be run, and StoppedError where the motion cannot go on.
+    #[pyo3(signature = (by, until=None, *, rtol=None, atol=None, step=None, method=None, every=None, at=None, start=None, inputs=None, project_start=false))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
+    fn sensitivities(
+        &self,
+        py: Python<'_>,
+        by: Vec<String>,
+        until: Option<f64>,
+        rtol: Option<f64>,
+        atol: Option<f64>,
+        step: Option<f64>,
+        method: Option<&str>,
+        every: Option<f64>,
+        at: Option<Vec<f64>>,
+        start: Option<&Bound<'_, PyMapping>>,
+        inputs: Option<&Bound<'_, PyMapping>>,
+        project_start: bool,
+    ) -> PyResult<PySensitivities> {
+        let choice = MethodChoice { name: method, rtol, atol, step };
+        let inputs = numbers(inputs)?.into_iter().map(|(name, value)| (name, value.into())).collect();
+        let motion = Motion::new(&choice, until, start, inputs, project_start)?;
+        let samples = match (at, every.or(motion.interval(&*self.scene))) {
+            (Some(at), _) => Samples::At(at),
+            (None, every) => Samples::Every(every.unwrap_or(f64::INFINITY)),
+        };
+        sensitivities(py, &self.scene, &motion, &by, &samples)
     }
 
     /// A stepper: the scene in fixed steps of `step` s by rk4, to be driven from outside.
@@ -262,7 +309,7 @@ impl PyScene {
     /// Compares the equations of the scene with finite differences; raises EzyError where they differ.
     fn check(&self, py: Python<'_>) -> PyResult<()> {
         let scene = Arc::clone(&self.scene);
-        py.detach(|| ezy_core::testing::check_scene(&*scene)).map(|_| ()).map_err(wrong)
+        left_to_itself(py, move || ezy_core::testing::check_scene(&*scene).map(|_| ()).map_err(wrong))?
     }
 
     /// The equilibrium near the start: rest, or motion that is constant seen from a frame that travels and turns evenly.
@@ -276,7 +323,7 @@ impl PyScene {
         inputs: Option<&Bound<'_, PyMapping>>,
         hold: Vec<String>,
     ) -> PyResult<PyEquilibrium> {
-        analysis::equilibrium(py, &Request::new(&self.scene, start, inputs, hold)?)
+        analysis::equilibrium(py, Request::new(&self.scene, start, inputs, hold)?)
     }
 
     /// All equilibria at rest that `n_starts` starts lead to: that of the scene, and others at random, which are the same each time.
@@ -291,7 +338,7 @@ impl PyScene {
         inputs: Option<&Bound<'_, PyMapping>>,
         hold: Vec<String>,
     ) -> PyResult<Vec<PyEquilibrium>> {
-        analysis::equilibria(py, &Request::new(&self.scene, start, inputs, hold)?, n_starts)
+        analysis::equilibria(py, Request::new(&self.scene, start, inputs, hold)?, n_starts)
     }
 
     /// The linear equations x' = A x + B u, y = C x + D u of small deviations from the equilibrium near the start, with exact derivatives.
@@ -305,7 +352,7 @@ impl PyScene {
         inputs: Option<&Bound<'_, PyMapping>>,
         hold: Vec<String>,
     ) -> PyResult<PyLinearization> {
-        analysis::linearize(py, &Request::new(&self.scene, start, inputs, hold)?)
+        analysis::linearize(py, Request::new(&self.scene, start, inputs, hold)?)
     }
 
     /// The equations of the scene in LaTeX, as displayed mathematics with titles; the package `amsmath` has what they take.

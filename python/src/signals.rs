@@ -1,4 +1,4 @@
-//! Runs that Ctrl-C ends.
+//! Work that Ctrl-C ends.
 
 use crate::error::{StoppedError, wrong};
 use ezy_core::model::Scene;
@@ -6,52 +6,79 @@ use ezy_core::simulate::{Run, SetupError, Simulation};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex};
+use std::thread;
 use std::time::Duration;
 
-/// How long a run may go on before Python is asked for signals: nobody notices it, and it costs nothing.
-const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
+/// How long work may go on before Python is asked for signals: nobody notices it, and it costs nothing.
+pub(crate) const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
 
-/// Runs on a thread of its own, without Python, while this one asks for signals: Ctrl-C ends the run.
+/// A run that Ctrl-C ends, by `flag`.
 pub(crate) fn simulate<'f>(
     py: Python<'_>,
     simulation: Simulation<'f, Arc<dyn Scene>>,
     flag: &'f AtomicBool,
 ) -> PyResult<Run> {
-    let (is_done, done) = (Mutex::new(false), Condvar::new());
-    let (run, signal) = std::thread::scope(|scope| {
-        let running = scope.spawn(|| {
-            let run = simulation.run();
-            *lock(&is_done) = true;
-            done.notify_all();
-            run
-        });
-        let mut signal = None;
-        while !py.detach(|| *wait(&done, lock(&is_done))) {
-            if let Err(error) = py.check_signals() {
-                signal = Some(error);
-                flag.store(true, Ordering::Relaxed);
-                break;
-            }
-        }
-        (py.detach(|| running.join()), signal)
-    });
-    let run = run.map_err(|_| PyRuntimeError::new_err("the run ended by a fault of EZY: please report it"))?;
-    match (signal, run) {
-        (Some(error), _) => Err(error),
-        (None, Err(error @ (SetupError::Motion(_) | SetupError::Record(_)))) => {
-            Err(StoppedError::new_err(error.to_string()))
-        }
-        (None, run) => run.map_err(wrong),
+    match watched(py, flag, || simulation.run())? {
+        Err(error @ (SetupError::Motion(_) | SetupError::Record(_))) => Err(StoppedError::new_err(error.to_string())),
+        run => run.map_err(wrong),
     }
 }
 
-fn lock(of: &Mutex<bool>) -> MutexGuard<'_, bool> {
-    of.lock().unwrap_or_else(PoisonError::into_inner)
+/// Does `work` on a thread of its own, without Python, while this one asks for signals. One of them sets `flag`, at which the work has to end,
+/// and is raised then.
+pub(crate) fn watched<T: Send>(py: Python<'_>, flag: &AtomicBool, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let (done, waiting) = channel();
+    let waiting = Mutex::new(waiting);
+    let (found, signal) = thread::scope(|scope| {
+        let working = scope.spawn(move || {
+            let found = work();
+            let _ = done.send(());
+            found
+        });
+        let signal = wait(py, &waiting).err();
+        if signal.is_some() {
+            flag.store(true, Ordering::Relaxed);
+        }
+        (py.detach(|| working.join()), signal)
+    });
+    match (signal, found) {
+        (Some(signal), _) => Err(signal),
+        (None, found) => found.map_err(|_| fault()),
+    }
 }
 
-/// Waits for the end, or for the time between signals.
-fn wait<'m>(done: &Condvar, is_done: MutexGuard<'m, bool>) -> MutexGuard<'m, bool> {
-    let waited = done.wait_timeout_while(is_done, BETWEEN_SIGNALS, |is_done| !*is_done);
-    waited.map_or_else(|poisoned| poisoned.into_inner().0, |(is_done, _)| is_done)
+/// The same of work that nothing can end: after a signal it goes on, and what it finds is dropped.
+pub(crate) fn left_to_itself<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    let (done, waiting) = channel();
+    thread::spawn(move || {
+        let _ = done.send(work());
+    });
+    wait(py, &Mutex::new(waiting))?.ok_or_else(fault)
+}
+
+fn fault() -> PyErr {
+    PyRuntimeError::new_err("the work ended by a fault of EZY: please report it")
+}
+
+/// What is sent, or nothing where the sender has gone.
+///
+/// # Errors
+/// The signal that came before.
+fn wait<T: Send>(py: Python<'_>, waiting: &Mutex<Receiver<T>>) -> PyResult<Option<T>> {
+    loop {
+        let found = py.detach(|| {
+            let Ok(waiting) = waiting.lock() else { return Err(RecvTimeoutError::Disconnected) };
+            waiting.recv_timeout(BETWEEN_SIGNALS)
+        });
+        match found {
+            Ok(found) => return Ok(Some(found)),
+            Err(RecvTimeoutError::Disconnected) => return Ok(None),
+            Err(RecvTimeoutError::Timeout) => py.check_signals()?,
+        }
+    }
 }

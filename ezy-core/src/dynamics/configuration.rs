@@ -53,6 +53,11 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         &self.system.fixed
     }
 
+    /// The scene, as the system holds it.
+    pub(super) fn scene(&self) -> &P {
+        &self.system.scene
+    }
+
     /// Where rows are redundant at the start of a step, its stages keep to those that are independent there.
     #[inline]
     pub(crate) fn hold_rows(self, are_redundant: bool) {

@@ -1,7 +1,8 @@
 //! Corrections of a start: given values stay, the others take the residual away.
 
 use super::assembly::Assembly;
-use super::tolerances::start::{DAMPING, LARGEST_DENSE_START, RANK_TOLERANCE};
+use super::max_abs;
+use super::tolerances::start::{DAMPING, FOLLOWED, LARGEST_DENSE_START, RANK_TOLERANCE};
 use crate::linalg::{HAS_SPARSE, KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
 use crate::model::{Equations as _, SceneRef};
 use nalgebra::{DMatrix, DVector};
@@ -24,6 +25,27 @@ impl<P: SceneRef> Assembly<'_, P> {
     pub(crate) fn free_tangent(&mut self, t: f64, q: &[f64], residual: &[f64], given: &[bool]) -> Vec<f64> {
         self.system.buffers.residual[..residual.len()].copy_from_slice(residual);
         self.free_correction(t, q, residual.len(), given).unwrap_or_else(|| vec![0.0; given.len()])
+    }
+
+    /// What follows in the same way of what the first of `given` leaves free, and what that cannot take away of what the next one does. None where
+    /// something is left.
+    pub(super) fn following(&mut self, t: f64, q: &[f64], residual: &[f64], given: &[Vec<bool>]) -> Option<Vec<f64>> {
+        let n_rows = residual.len();
+        let largest = FOLLOWED * max_abs(residual);
+        let (mut tangent, mut left) = (vec![0.0; self.system.info.n_velocities()], residual.to_vec());
+        // the second pass takes what the damping of sparse corrections leaves
+        for given in given.iter().flat_map(|given| [given; 2]) {
+            if max_abs(&left) <= largest {
+                break;
+            }
+            let change = self.free_tangent(t, q, &left, given);
+            self.system.scene.velocity_jacobian(&self.system.fixed, t, q, &mut self.system.buffers.jacobian);
+            for (k, row, column) in self.system.info.jacobian.entries().filter(|entry| entry.1 < n_rows) {
+                left[row] += self.system.buffers.jacobian[k] * change[column];
+            }
+            tangent.iter_mut().zip(&change).for_each(|(tangent, change)| *tangent += change);
+        }
+        (max_abs(&left) <= largest).then_some(tangent)
     }
 
     pub(super) fn starts_sparse(&self) -> bool {

@@ -1,5 +1,6 @@
 //! Exact derivatives of the equations of motion and of the outputs, eight columns a call of a kernel.
 
+use super::with_derivatives::Motion;
 use super::{System, SystemError};
 use crate::model::{Derivatives, Derived as _, EquationsWithDerivatives, N_DERIVATIVES, SceneInfo, SceneRef};
 use crate::scalar::Dual;
@@ -90,8 +91,7 @@ pub struct Gradients<P: SceneRef> {
     q: Vec<Derivatives>,
     v: Vec<Derivatives>,
     /// What they wrote.
-    mass: Vec<Derivatives>,
-    jacobian: Vec<Derivatives>,
+    motion: Motion<N_DERIVATIVES>,
     out: Vec<Derivatives>,
 }
 
@@ -112,8 +112,7 @@ impl<P: SceneRef> Gradients<P> {
             fixed: zeros(info.n_fixed()),
             q: zeros(info.n_coordinates()),
             v: zeros(info.n_velocities()),
-            mass: zeros(info.n_velocities()),
-            jacobian: zeros(info.jacobian.n_nonzeros()),
+            motion: Motion::new(&info),
             out: zeros(n_out.into_iter().fold(0, usize::max)),
             scene,
             info,
@@ -201,26 +200,22 @@ impl<P: SceneRef> Gradients<P> {
     }
 
     fn evaluate(&mut self, of: Of, by: By, t: f64) {
-        let Self { scene, info, parameters, fixed, q, v, mass, jacobian, out } = self;
+        let Self { scene, info, parameters, fixed, q, v, motion, out } = self;
         let scene = kernels(scene);
-        let t = Dual::constant(t);
+        let time = Dual::constant(t);
         if by == By::Parameters {
             scene.constants_with_derivatives(parameters, fixed);
         }
         let out = &mut out[..n_rows(info, of)];
         match of {
-            Of::PositionRows => scene.position_constraint_with_derivatives(fixed, t, q, out),
-            Of::VelocityRows => scene.velocity_constraint_with_derivatives(fixed, t, q, v, out),
-            Of::Outputs => scene.outputs_with_derivatives(fixed, t, q, v, out),
+            Of::PositionRows => scene.position_constraint_with_derivatives(fixed, time, q, out),
+            Of::VelocityRows => scene.velocity_constraint_with_derivatives(fixed, time, q, v, out),
+            Of::Outputs => scene.outputs_with_derivatives(fixed, time, q, v, out),
             Of::Motion => {
-                let (force, rest) = out.split_at_mut(info.n_velocities());
-                let (convective, rates) = rest.split_at_mut(info.n_rows());
-                scene.mass_matrix_with_derivatives(fixed, mass);
-                scene.velocity_jacobian_with_derivatives(fixed, t, q, jacobian);
-                scene.applied_force_with_derivatives(fixed, t, q, v, force);
-                scene.convective_term_with_derivatives(fixed, t, q, v, convective);
+                motion.evaluate(scene, fixed, t, q, v);
+                let rates = &mut out[info.n_unknowns()..];
                 if !rates.is_empty() {
-                    scene.state_rates_with_derivatives(fixed, t, q, v, rates);
+                    scene.state_rates_with_derivatives(fixed, time, q, v, rates);
                 }
             }
         }
@@ -228,24 +223,12 @@ impl<P: SceneRef> Gradients<P> {
 
     /// The columns of what was evaluated.
     fn read(&self, at: &OperatingPoint<'_>, of: Of, columns: &mut [f64]) {
-        let Self { info, mass, jacobian, out, .. } = self;
-        let (n_v, n_c) = (info.n_velocities(), info.n_rows());
-        let n_rows = n_rows(info, of);
-        for (direction, column) in columns.chunks_exact_mut(n_rows).enumerate() {
+        let Self { info, motion, out, .. } = self;
+        for (direction, column) in columns.chunks_exact_mut(n_rows(info, of)).enumerate() {
             column.iter_mut().zip(out).for_each(|(x, number)| *x = number.derivatives[direction]);
-            if of != Of::Motion {
-                continue;
-            }
-            let (force, rest) = column.split_at_mut(n_v);
-            let rows = &mut rest[..n_c];
-            rows.iter_mut().for_each(|h| *h = -*h);
-            for ((force, m), a) in force.iter_mut().zip(mass).zip(at.accelerations) {
-                *force -= m.derivatives[direction] * a;
-            }
-            for (k, row, i) in info.jacobian.entries() {
-                let g = jacobian[k].derivatives[direction];
-                force[i] -= g * at.multipliers[row];
-                rows[row] -= g * at.accelerations[i];
+            if of == Of::Motion {
+                let column = &mut column[..info.n_unknowns()];
+                motion.write(info, direction, at.accelerations, at.multipliers, column);
             }
         }
     }

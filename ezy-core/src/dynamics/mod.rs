@@ -39,6 +39,7 @@ mod system;
 #[cfg(test)]
 mod tests;
 mod tolerances;
+mod with_derivatives;
 mod worst;
 
 #[cfg(feature = "sweep")]
@@ -62,6 +63,7 @@ pub use strain::{Strain, StrainSource};
 pub use system::System;
 #[cfg(feature = "cli")]
 pub(crate) use system::described_solver;
+pub(crate) use with_derivatives::{Kernels, SystemWithDerivatives};
 pub use worst::{Projected, Worst};
 
 use crate::archive::Archive;

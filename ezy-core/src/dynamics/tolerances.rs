@@ -119,6 +119,12 @@ pub(crate) mod start {
     /// Test: `analytic_accelerations_of_any_ratio_of_masses`.
     pub(crate) const RANK_TOLERANCE: f64 = 1e-10;
 
+    /// What may be left of the derivatives of rows that a start follows: rounding of corrections of rows that depend on each other but for
+    /// `RANK_TOLERANCE`. What contradicts given values leaves as much as it changes.
+    /// Unit: share of what the rows change by.
+    /// Test: `analytic_what_a_start_does_not_let_change_is_told`.
+    pub(crate) const FOLLOWED: f64 = 1e-5;
+
     /// A given value that moves by no more only gets its last digits: guesses are written with six or so.
     /// Unit: rad, share of the longest lever, share of the largest velocity.
     /// Test: `analytic_last_digits_of_a_guess_are_not_told`.

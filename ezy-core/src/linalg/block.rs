@@ -1,7 +1,5 @@
 //! Elimination of `A = G M⁻¹ Gᵀ` over blocks: a joint is a block, its rows are the rows of the block.
 
-#![allow(clippy::needless_range_loop, reason = "the triangles of a block are read by row and column")]
-
 use super::joints::{Joint, Plan};
 use super::tolerances::blocks::REFINED;
 use super::{KktFactorization, VanishedPivot};
@@ -33,28 +31,27 @@ struct Coupling {
 struct BlockKkt<const B: usize> {
     /// Where each entry of G stands among the slots.
     places: Vec<u32>,
-    joints: Vec<Rows>,
-    /// Slots of each joint, and one more start.
-    slot_starts: Vec<u32>,
+    joints: Vec<Parts>,
+    /// Those of each joint one behind the other.
     slots: Vec<Slot<B>>,
     /// The body of each slot.
     slot_bodies: Vec<u32>,
-    /// Blocks of each column of A, the one on the diagonal first, and one more start.
-    block_starts: Vec<u32>,
-    /// The row of each block.
-    block_rows: Vec<u32>,
     couplings: Vec<Coupling>,
-    /// Blocks of joints that share no body.
+    /// Blocks below the diagonal whose joints share no body.
     filled: Vec<u32>,
-    /// The blocks that the elimination of each column changes, row after row.
-    targets: Vec<u32>,
-    blocks: Vec<Block<B>>,
+    /// Blocks on the diagonal of A; of a column that is eliminated, the inverse of its block of D.
+    diagonal: Vec<Block<B>>,
     /// Diagonal of A, by joint.
     starts: Vec<Column<B>>,
-    /// Inverses of the blocks on the diagonal of D.
-    inverses: Vec<Block<B>>,
-    /// One column of L.
+    /// Blocks below the diagonal of A, column after column; of a column that is eliminated, those of L.
     lower: Vec<Block<B>>,
+    /// The row of each.
+    lower_rows: Vec<u32>,
+    /// The blocks below the diagonal that the elimination of each column changes, from the last row to the first, counted from the column
+    /// behind it.
+    targets: Vec<u32>,
+    /// Masses that `mobility` was made of.
+    mass: Vec<f64>,
     /// 1/m of the coordinates of each body.
     mobility: Vec<[f64; N_OF_BODY]>,
     /// Right side and solution, by joint.
@@ -66,11 +63,25 @@ struct BlockKkt<const B: usize> {
     refines: bool,
 }
 
-/// Rows of a joint among those of G.
+/// What belongs to a joint.
 #[derive(Debug, Clone, Copy)]
-struct Rows {
-    first: u32,
-    n: u32,
+struct Parts {
+    /// Among the rows of G.
+    first_row: u32,
+    n_rows: u32,
+    n_slots: u32,
+    /// Blocks below the diagonal in its column.
+    n_lower: u32,
+}
+
+impl Parts {
+    /// The first row whose pivot is not more than `least`; where each is, the last one, whose pivot left the range of numbers.
+    #[cold]
+    fn vanished<const B: usize>(&self, pivots: &Column<B>, least: f64) -> VanishedPivot {
+        let last = self.n_rows as usize - 1;
+        let row = pivots.iter().position(|pivot| pivot.is_nan() || *pivot <= least).unwrap_or(last);
+        VanishedPivot { relative: pivots[row], row: Some(self.first_row as usize + row) }
+    }
 }
 
 /// The elimination over blocks of a system with `n_q` coordinates, those of each body together; none where another one costs less.
@@ -91,10 +102,11 @@ impl<const B: usize> BlockKkt<B> {
         for joint in joints {
             for &body in &joint.bodies {
                 for (r, row) in (joint.first_row..joint.first_row + joint.n_rows).enumerate() {
-                    for k in pattern.starts[row]..pattern.starts[row + 1] {
-                        let (of, c) = body_and_component(pattern.columns[k]);
+                    let entries = pattern.starts[row]..pattern.starts[row + 1];
+                    for (at, &column) in places[entries.clone()].iter_mut().zip(&pattern.columns[entries]) {
+                        let (of, c) = body_and_component(column);
                         if of == body {
-                            places[k] = (place(slot_bodies.len(), c) * B + r) as u32;
+                            *at = (place(slot_bodies.len(), c) * B + r) as u32;
                         }
                     }
                 }
@@ -102,21 +114,16 @@ impl<const B: usize> BlockKkt<B> {
             }
             slot_starts.push(slot_bodies.len() as u32);
         }
-        let (mut block_starts, mut block_rows) = (Vec::with_capacity(joints.len() + 1), Vec::new());
-        for (k, list) in later.iter().enumerate() {
-            block_starts.push(block_rows.len() as u32);
-            block_rows.push(k as u32);
-            block_rows.extend(list.iter().map(|&row| row as u32));
-        }
-        block_starts.push(block_rows.len() as u32);
-        let block_at = |column: usize, row: usize| {
-            let behind = later[column].binary_search(&row).map_or(0, |at| at + 1);
-            block_starts[column] + behind as u32
-        };
+        let lower_rows: Vec<u32> = later.iter().flatten().map(|&row| row as u32).collect();
+        let mut lower_starts = vec![0];
+        later.iter().for_each(|list| lower_starts.push(lower_starts[lower_starts.len() - 1] + list.len()));
+        let block_at =
+            |column: usize, row: usize| later[column].binary_search(&row).ok().map(|at| lower_starts[column] + at);
         let mut targets = Vec::new();
-        for list in later {
-            for (i, &row) in list.iter().enumerate() {
-                targets.extend(list[..=i].iter().map(|&column| block_at(column, row)));
+        for (k, list) in later.iter().enumerate() {
+            for (i, &row) in list.iter().enumerate().rev() {
+                let blocks = list[..i].iter().filter_map(|&column| block_at(column, row));
+                targets.extend(blocks.map(|block| (block - lower_starts[k + 1]) as u32));
             }
         }
         let slot_of = |k: usize, body: usize| {
@@ -125,8 +132,8 @@ impl<const B: usize> BlockKkt<B> {
         };
         let (mut couplings, mut filled) = (Vec::new(), Vec::new());
         for (k, list) in later.iter().enumerate() {
-            for &row in list {
-                let (block, mut adds) = (block_at(k, row), false);
+            for (&row, block) in list.iter().zip(lower_starts[k] as u32..) {
+                let mut adds = false;
                 for &body in &joints[k].bodies {
                     if let (Some(late), Some(early)) = (slot_of(row, body), slot_of(k, body)) {
                         couplings.push(Coupling { slots: [late, early], block, adds });
@@ -139,21 +146,25 @@ impl<const B: usize> BlockKkt<B> {
             }
         }
         let zero = [[0.0; B]; B];
+        let parts = |(joint, later): (&Joint, &Vec<usize>)| Parts {
+            first_row: joint.first_row as u32,
+            n_rows: joint.n_rows as u32,
+            n_slots: joint.bodies.len() as u32,
+            n_lower: later.len() as u32,
+        };
         Self {
             places,
-            joints: joints.iter().map(|of| Rows { first: of.first_row as u32, n: of.n_rows as u32 }).collect(),
-            slot_starts,
+            joints: joints.iter().zip(later).map(parts).collect(),
             slots: vec![[[0.0; B]; N_OF_BODY]; slot_bodies.len()],
             slot_bodies,
-            blocks: vec![zero; block_rows.len()],
-            block_starts,
-            block_rows,
             couplings,
             filled,
-            targets,
+            diagonal: vec![zero; joints.len()],
             starts: vec![[1.0; B]; joints.len()],
-            inverses: vec![zero; joints.len()],
-            lower: vec![zero; later.iter().map(Vec::len).max().unwrap_or(0)],
+            lower: vec![zero; lower_rows.len()],
+            lower_rows,
+            targets,
+            mass: vec![f64::NAN; n_q],
             mobility: vec![[0.0; N_OF_BODY]; n_bodies(n_q)],
             multipliers: vec![[0.0; B]; joints.len()],
             first: vec![[0.0; B]; joints.len()],
@@ -164,31 +175,32 @@ impl<const B: usize> BlockKkt<B> {
 
     /// Writes G by joints, and A; `damping` is added to its diagonal.
     fn assemble(&mut self, mass: &[f64], jacobian: &[f64], damping: Option<&[f64]>) {
-        self.mobility.as_flattened_mut().iter_mut().zip(mass).for_each(|(mobility, m)| *mobility = 1.0 / m);
+        // all are compared, without a branch at each
+        if self.mass.iter().zip(mass).fold(false, |differ, (known, m)| differ | (known != m)) {
+            self.mass.copy_from_slice(mass);
+            self.mobility.as_flattened_mut().iter_mut().zip(mass).for_each(|(mobility, m)| *mobility = 1.0 / m);
+        }
         let entries = self.slots.as_flattened_mut().as_flattened_mut();
         for (&place, g) in self.places.iter().zip(jacobian) {
             entries[place as usize] = *g;
         }
-        let Self { joints, slot_starts, slots, slot_bodies, block_starts, blocks, starts, mobility, .. } = self;
-        for ((k, joint), start) in joints.iter().enumerate().zip(starts) {
-            let mut block = [[0.0; B]; B];
-            let own = slot_starts[k] as usize..slot_starts[k + 1] as usize;
-            for (slot, &body) in slots[own.clone()].iter().zip(&slot_bodies[own]) {
-                add_product(&mut block, slot, &mobility[body as usize], slot);
+        let Self { joints, slots, slot_bodies, diagonal, starts, lower, mobility, .. } = self;
+        let mut held = Pairs(slots, slot_bodies);
+        for ((joint, block), start) in joints.iter().zip(diagonal).zip(starts) {
+            *block = [[0.0; B]; B];
+            for (slot, &body) in held.take_first(joint.n_slots) {
+                add_product(block, slot, &mobility[body as usize], slot);
             }
-            for (r, column) in block.iter_mut().enumerate() {
-                if r < joint.n as usize {
-                    column[r] += damping.map_or(0.0, |damping| damping[joint.first as usize + r]);
-                } else {
-                    column[r] = 1.0;
-                }
-                start[r] = column[r];
+            let n_rows = joint.n_rows as usize;
+            (n_rows..B).for_each(|r| block[r][r] = 1.0);
+            if let Some(damping) = damping {
+                (0..n_rows).for_each(|r| block[r][r] += damping[joint.first_row as usize + r]);
             }
-            blocks[block_starts[k] as usize] = block;
+            *start = std::array::from_fn(|r| block[r][r]);
         }
-        self.filled.iter().for_each(|&block| blocks[block as usize] = [[0.0; B]; B]);
+        self.filled.iter().for_each(|&block| lower[block as usize] = [[0.0; B]; B]);
         for Coupling { slots: [late, early], block, adds } in &self.couplings {
-            let block = &mut blocks[*block as usize];
+            let block = &mut lower[*block as usize];
             let mut sum = if *adds { *block } else { [[0.0; B]; B] };
             let mobility = &mobility[slot_bodies[*early as usize] as usize];
             add_product(&mut sum, &slots[*late as usize], mobility, &slots[*early as usize]);
@@ -198,78 +210,91 @@ impl<const B: usize> BlockKkt<B> {
 
     /// Factors A. The pivot of each row has to be more than the part `least` of what it started from.
     fn eliminate(&mut self, least: f64) -> Result<(), VanishedPivot> {
-        let Self { joints, block_starts, targets, blocks, starts, inverses, lower, smallest_pivot, .. } = self;
-        let mut targets = targets.iter();
-        *smallest_pivot = 1.0;
-        for ((k, joint), (start, inverse)) in joints.iter().enumerate().zip(starts.iter().zip(inverses)) {
-            let first = block_starts[k] as usize;
-            let (diagonal, rest) = blocks.split_at_mut(first + 1);
-            let pivots = invert(&diagonal[first], inverse);
-            for r in 0..B {
-                let relative = pivots[r] / start[r];
-                if relative.is_nan() || relative <= least {
-                    return Err(VanishedPivot { relative, row: Some(joint.first as usize + r) });
-                }
-                *smallest_pivot = smallest_pivot.min(relative);
+        let Self { joints, diagonal, starts, lower, lower_rows, targets, smallest_pivot, .. } = self;
+        let (mut lower, mut rows, mut targets) = (&mut lower[..], &lower_rows[..], targets.iter());
+        let mut smallest = 1.0;
+        for ((k, joint), start) in joints.iter().enumerate().zip(starts) {
+            let Fraction { numerator, denominator, pivots } = Fraction::inverse(&diagonal[k], start);
+            if !(pivots.iter().all(|&pivot| pivot > least) && denominator.is_normal()) {
+                return Err(joint.vanished(&pivots, least));
             }
-            let column = &rest[..block_starts[k + 1] as usize - first - 1];
-            let lower = &mut lower[..column.len()];
-            for (l, block) in lower.iter_mut().zip(column) {
-                *l = inverse.map(|of_row| apply(block, &of_row));
+            for pivot in pivots {
+                smallest = if pivot < smallest { pivot } else { smallest };
             }
-            for (i, l) in lower.iter().enumerate() {
-                for (j, &target) in (0..=i).zip(&mut targets) {
-                    let block = rest[j];
-                    subtract_product(&mut rest[target as usize - first - 1], l, &block);
+            // the products do not wait for the division
+            let reciprocal = 1.0 / denominator;
+            diagonal[k] = times(&numerator, reciprocal);
+            let (column, own_rows);
+            (column, lower) = lower.split_at_mut(joint.n_lower as usize);
+            (own_rows, rows) = rows.split_at(joint.n_lower as usize);
+            // the products of a row take the blocks above it as they were
+            for (i, &row) in own_rows.iter().enumerate().rev() {
+                let (above, block) = (&column[..i], column[i]);
+                let scaled = numerator.map(|of_row| apply(&block, &of_row));
+                for (above, &target) in above.iter().zip(&mut targets) {
+                    subtract_product(&mut lower[target as usize], &scaled, above, reciprocal);
                 }
+                subtract_product(&mut diagonal[row as usize], &scaled, &block, reciprocal);
+                column[i] = times(&scaled, reciprocal);
             }
         }
+        *smallest_pivot = smallest;
         Ok(())
     }
 
-    /// Takes from `x` what leaves `s` of its rows, by the multipliers that it writes.
+    /// Takes from `x` what leaves `s` of its rows, by the multipliers that it writes: `L D Lᵀ y = G x − s`, then `x −= M⁻¹ Gᵀ y`.
     fn correct(&mut self, x: &mut [[f64; N_OF_BODY]], s: &[f64]) {
-        let Self { joints, slot_starts, slots, slot_bodies, multipliers, .. } = self;
-        for ((k, joint), sum) in joints.iter().enumerate().zip(multipliers) {
-            let given = &s[joint.first as usize..][..joint.n as usize];
-            *sum = std::array::from_fn(|r| given.get(r).map_or(0.0, |s| -s));
-            let own = slot_starts[k] as usize..slot_starts[k + 1] as usize;
-            for (slot, &body) in slots[own.clone()].iter().zip(&slot_bodies[own]) {
+        let Self { joints, slots, slot_bodies, diagonal, lower, lower_rows, multipliers, mobility, .. } = self;
+        let (mut held, mut column) = (Pairs(slots, slot_bodies), Pairs(lower, lower_rows));
+        multipliers.fill([0.0; B]);
+        for (k, joint) in joints.iter().enumerate() {
+            let mut sum = multipliers[k];
+            sum.iter_mut().zip(&s[joint.first_row as usize..][..joint.n_rows as usize]).for_each(|(sum, s)| *sum -= s);
+            for (slot, &body) in held.take_first(joint.n_slots) {
                 for (column, x) in slot.iter().zip(&x[body as usize]) {
                     sum.iter_mut().zip(column).for_each(|(sum, g)| *sum += g * x);
                 }
             }
+            multipliers[k] = sum;
+            for (block, &row) in column.take_first(joint.n_lower) {
+                let change = apply(block, &sum);
+                multipliers[row as usize].iter_mut().zip(change).for_each(|(later, change)| *later -= change);
+            }
         }
-        self.substitute();
-        let Self { slot_starts, slots, slot_bodies, multipliers, mobility, .. } = self;
-        for (k, solved) in multipliers.iter().enumerate() {
-            let own = slot_starts[k] as usize..slot_starts[k + 1] as usize;
-            for (slot, &body) in slots[own.clone()].iter().zip(&slot_bodies[own]) {
+        let (mut held, mut column) = (Pairs(slots, slot_bodies), Pairs(lower, lower_rows));
+        for ((k, joint), inverse) in joints.iter().enumerate().zip(diagonal).rev() {
+            let mut solved = apply(inverse, &multipliers[k]);
+            for (block, &row) in column.take_last(joint.n_lower) {
+                let later = multipliers[row as usize];
+                solved.iter_mut().zip(block).for_each(|(solved, of_row)| *solved -= dot(of_row, &later));
+            }
+            multipliers[k] = solved;
+            for (slot, &body) in held.take_last(joint.n_slots) {
                 let (x, mobility) = (x[body as usize].iter_mut(), &mobility[body as usize]);
-                x.zip(mobility).zip(slot).for_each(|((x, mobility), column)| *x -= mobility * dot(column, solved));
+                x.zip(mobility).zip(slot).for_each(|((x, mobility), column)| *x -= mobility * dot(column, &solved));
             }
         }
     }
+}
 
-    /// Solves `A y = b` in `multipliers`.
-    fn substitute(&mut self) {
-        let Self { blocks, inverses, block_starts, block_rows, multipliers, .. } = self;
-        let column = |k: usize| block_starts[k] as usize + 1..block_starts[k + 1] as usize;
-        for (k, inverse) in inverses.iter().enumerate() {
-            let solved = apply(inverse, &multipliers[k]);
-            for (&row, block) in block_rows[column(k)].iter().zip(&blocks[column(k)]) {
-                let change = apply(block, &solved);
-                multipliers[row as usize].iter_mut().zip(change).for_each(|(x, change)| *x -= change);
-            }
-        }
-        for (k, inverse) in inverses.iter().enumerate().rev() {
-            let mut left = multipliers[k];
-            for (&row, block) in block_rows[column(k)].iter().zip(&blocks[column(k)]) {
-                let solved = multipliers[row as usize];
-                left.iter_mut().zip(block).for_each(|(left, of_row)| *left -= dot(of_row, &solved));
-            }
-            multipliers[k] = apply(inverse, &left);
-        }
+/// Two lists side by side, taken from either end.
+struct Pairs<'a, A, C>(&'a [A], &'a [C]);
+
+impl<'a, A, C> Pairs<'a, A, C> {
+    #[inline]
+    fn take_first(&mut self, n: u32) -> impl Iterator<Item = (&'a A, &'a C)> + use<'a, A, C> {
+        let (first, second);
+        (first, self.0) = self.0.split_at(n as usize);
+        (second, self.1) = self.1.split_at(n as usize);
+        first.iter().zip(second)
+    }
+
+    #[inline]
+    fn take_last(&mut self, n: u32) -> impl Iterator<Item = (&'a A, &'a C)> + use<'a, A, C> {
+        let (first, second);
+        (self.0, first) = self.0.split_at(self.0.len() - n as usize);
+        (self.1, second) = self.1.split_at(self.1.len() - n as usize);
+        first.iter().zip(second)
     }
 }
 
@@ -309,13 +334,14 @@ impl<const B: usize> KktFactorization for BlockKkt<B> {
             multipliers.zip(self.first.as_flattened()).for_each(|(sum, first)| *sum += first);
         }
         for (joint, solved) in self.joints.iter().zip(&self.multipliers) {
-            y[joint.first as usize..][..joint.n as usize].iter_mut().zip(solved).for_each(|(y, solved)| *y = *solved);
+            (0..joint.n_rows as usize).for_each(|r| y[joint.first_row as usize + r] = solved[r]);
         }
     }
 
     fn describe(&self) -> String {
-        let (n, n_blocks, n_products) = (self.joints.len(), self.blocks.len(), self.targets.len());
-        format!("blocks of {B} x {B}, {n} on the diagonal, {} below it, {n_products} products of blocks", n_blocks - n)
+        let (n, n_lower) = (self.joints.len(), self.lower.len());
+        let n_products = n_lower + self.targets.len();
+        format!("blocks of {B} x {B}, {n} on the diagonal, {n_lower} below it, {n_products} products of blocks")
     }
 }
 
@@ -330,71 +356,88 @@ fn add_product<const B: usize>(block: &mut Block<B>, a: &Slot<B>, mobility: &[f6
     }
 }
 
-/// `block −= a bᵀ`.
+/// `block −= a bᵀ factor`.
 #[inline]
-fn subtract_product<const B: usize>(block: &mut Block<B>, a: &Block<B>, b: &Block<B>) {
-    for (a, b) in a.iter().zip(b) {
-        for (column, b) in block.iter_mut().zip(b) {
-            column.iter_mut().zip(a).for_each(|(entry, a)| *entry -= a * b);
-        }
+fn subtract_product<const B: usize>(block: &mut Block<B>, a: &Block<B>, b: &Block<B>, factor: f64) {
+    for (c, column) in block.iter_mut().enumerate() {
+        let product = apply(a, &b.map(|of_row| of_row[c]));
+        column.iter_mut().zip(product).for_each(|(entry, product)| *entry -= product * factor);
     }
+}
+
+#[inline]
+fn times<const B: usize>(block: &Block<B>, factor: f64) -> Block<B> {
+    block.map(|column| column.map(|entry| entry * factor))
 }
 
 #[inline]
 fn dot<const B: usize>(a: &Column<B>, b: &Column<B>) -> f64 {
-    a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[inline]
 fn apply<const B: usize>(a: &Block<B>, x: &Column<B>) -> Column<B> {
-    let mut product = [0.0; B];
-    for (column, x) in a.iter().zip(x) {
-        product.iter_mut().zip(column).for_each(|(sum, a)| *sum += a * x);
-    }
-    product
+    std::array::from_fn(|r| a.iter().zip(x).map(|(column, x)| column[r] * x).sum())
 }
 
-/// Inverse of a symmetric block, and its pivots from the first row to the last.
-#[inline]
-fn invert<const B: usize>(block: &Block<B>, inverse: &mut Block<B>) -> Column<B> {
-    let mut lower = *block;
-    let [mut pivots, mut reciprocals] = [[0.0; B]; 2];
-    for j in 0..B {
-        pivots[j] = lower[j][j];
-        reciprocals[j] = 1.0 / pivots[j];
-        for i in j + 1..B {
-            let l = lower[j][i] * reciprocals[j];
-            for c in i..B {
-                lower[i][c] -= l * lower[j][c];
+/// A block over a number.
+struct Fraction<const B: usize> {
+    numerator: Block<B>,
+    denominator: f64,
+    /// Of each row, relative to what it started from.
+    pivots: Column<B>,
+}
+
+impl<const B: usize> Fraction<B> {
+    /// Inverse of a positive definite block of one to three rows, of which the lower triangle is read.
+    ///
+    /// Of two rows it is the adjugate over the determinant a b − c², which loses the digits that the second pivot loses. The determinant of
+    /// three would lose those of two pivots: a body that is light to turn, welded at a lever, makes both small. So the first row is
+    /// eliminated, and the adjugate is that of what it leaves of the others.
+    #[inline]
+    fn inverse(block: &Block<B>, start: &Column<B>) -> Self {
+        let (mut numerator, mut pivots) = ([[0.0; B]; B], [1.0; B]);
+        let first = block[0][0];
+        pivots[0] = first / start[0];
+        let denominator = match B {
+            1 => {
+                numerator[0][0] = 1.0;
+                first
             }
-        }
-        for i in j + 1..B {
-            lower[j][i] *= reciprocals[j];
-        }
+            2 => {
+                let (c, b) = (block[0][1], block[1][1]);
+                let determinant = first * b - c * c;
+                pivots[1] = determinant / (first * start[1]);
+                [numerator[0][0], numerator[0][1]] = [b, -c];
+                [numerator[1][0], numerator[1][1]] = [-c, first];
+                determinant
+            }
+            _ => {
+                // [1 −lᵀ; 0 1] [1/first 0; 0 adjugate/determinant] [1 0; −l 1]
+                let reciprocal = 1.0 / first;
+                let l = [block[0][1] * reciprocal, block[0][2] * reciprocal];
+                let a = block[1][1] - l[0] * block[0][1];
+                let c = block[1][2] - l[0] * block[0][2];
+                let b = block[2][2] - l[1] * block[0][2];
+                let determinant = a * b - c * c;
+                pivots[1] = a / start[1];
+                pivots[2] = determinant / (a * start[2]);
+                let [x, y] = [c * l[1] - b * l[0], c * l[0] - a * l[1]];
+                let corner = determinant * reciprocal - x * l[0] - y * l[1];
+                [numerator[0][0], numerator[0][1], numerator[0][2]] = [corner, x, y];
+                [numerator[1][0], numerator[1][1], numerator[1][2]] = [x, b, -c];
+                [numerator[2][0], numerator[2][1], numerator[2][2]] = [y, -c, a];
+                determinant
+            }
+        };
+        Self { numerator, denominator, pivots }
     }
-    // L⁻ᵀ D⁻¹ L⁻¹, column after column
-    for c in 0..B {
-        let mut x = [0.0; B];
-        x[c] = 1.0;
-        for i in c + 1..B {
-            for j in c..i {
-                x[i] -= lower[j][i] * x[j];
-            }
-        }
-        for i in (0..B).rev() {
-            x[i] *= reciprocals[i];
-            for j in i + 1..B {
-                x[i] -= lower[i][j] * x[j];
-            }
-        }
-        inverse[c] = x;
-    }
-    pivots
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::linalg::tests::Numbers;
 
     /// Two rows of one body that are `angle` apart, so that the second pivot is sin²: x = 0, whatever pushes, and y with the digits that the
     /// angle has. Where the pivot is not small nothing is spent on it.
@@ -414,6 +457,117 @@ mod tests {
             let lost = ((x[4] - second) / second).abs().max(((x[3] - first) / first).abs());
             let bound = f64::EPSILON * if refines { 8.0 / angle } else { 8.0 / (sin * sin) };
             assert!(lost <= bound && x[0].abs().max(x[1].abs()) <= 6.0 * bound, "{angle}: {lost:e}, {x:?}");
+        }
+    }
+
+    /// Inverse and pivots by L D Lᵀ, one row after the other.
+    fn by_rows<const B: usize>(block: &Block<B>) -> (Block<B>, Column<B>) {
+        let (mut lower, mut pivots, mut inverse) = (*block, [0.0; B], [[0.0; B]; B]);
+        for j in 0..B {
+            pivots[j] = lower[j][j];
+            let column = lower[j];
+            for i in j + 1..B {
+                lower[j][i] = column[i] / pivots[j];
+                (i..B).for_each(|c| lower[i][c] -= lower[j][i] * column[c]);
+            }
+        }
+        for (c, x) in inverse.iter_mut().enumerate() {
+            x[c] = 1.0;
+            (c + 1..B).for_each(|i| x[i] -= (c..i).map(|j| lower[j][i] * x[j]).sum::<f64>());
+            for i in (0..B).rev() {
+                x[i] = x[i] / pivots[i] - (i + 1..B).map(|j| lower[i][j] * x[j]).sum::<f64>();
+            }
+        }
+        (inverse, pivots)
+    }
+
+    /// Of some tens of operations with entries of one.
+    const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+    fn largest<const B: usize>(block: &Block<B>) -> f64 {
+        block.as_flattened().iter().fold(0.0, |largest, x| x.abs().max(largest))
+    }
+
+    /// Of G W Gᵀ with mobilities that differ by up to 1e10, the inverse and the pivots are those that rows give one after the other, and the
+    /// block times its inverse is one.
+    fn assert_inverts<const B: usize>(numbers: &mut Numbers) {
+        for trial in 0..2_000 {
+            let mut block = [[0.0; B]; B];
+            let mobility = std::array::from_fn(|_| 10_f64.powf(f64::from(trial % 6) * numbers.next()));
+            let slot: Slot<B> = std::array::from_fn(|_| std::array::from_fn(|_| numbers.next()));
+            add_product(&mut block, &slot, &mobility, &slot);
+            let start = std::array::from_fn(|r| block[r][r]);
+            let Fraction { numerator, denominator, pivots } = Fraction::inverse(&block, &start);
+            let inverse = times(&numerator, 1.0 / denominator);
+            let (expected, of_rows) = by_rows(&block);
+            let mut smallest = 1.0_f64;
+            for r in 0..B {
+                let relative = of_rows[r] / start[r];
+                assert!((pivots[r] - relative).abs() <= ROUNDING / smallest, "{block:?}: {pivots:?}, {of_rows:?}");
+                smallest = smallest.min(relative);
+            }
+            if smallest <= PIVOT_TOLERANCE {
+                continue;
+            }
+            // rows of different size: each in units of its own
+            let scaled = |block: &Block<B>, power: f64| -> Block<B> {
+                std::array::from_fn(|c| std::array::from_fn(|r| block[c][r] * (start[c] * start[r]).powf(power)))
+            };
+            let [inverse, expected, block] = [scaled(&inverse, 0.5), scaled(&expected, 0.5), scaled(&block, -0.5)];
+            // rounding of a block of ones, through the inverse
+            let size = largest(&expected);
+            for c in 0..B {
+                let product = apply(&block, &inverse[c]);
+                for r in 0..B {
+                    assert!(
+                        (inverse[c][r] - expected[c][r]).abs() <= ROUNDING * size * size,
+                        "{block:?}: {inverse:?} {expected:?}"
+                    );
+                    let one = f64::from(u8::from(r == c));
+                    assert!((product[r] - one).abs() <= ROUNDING * size, "{block:?}: {product:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn cross_inverses_of_blocks_are_those_by_rows() {
+        let mut numbers = Numbers(12);
+        assert_inverts::<1>(&mut numbers);
+        assert_inverts::<2>(&mut numbers);
+        assert_inverts::<3>(&mut numbers);
+    }
+
+    /// A body of inertia δ, welded with a lever: the block is 1 + g gᵀ/δ, its inverse 1 − g gᵀ/(δ + g²). Both last pivots are as small as δ,
+    /// and only one of them costs digits.
+    #[test]
+    fn analytic_a_weld_with_a_lever_loses_one_pivot() {
+        let g = [0.5, -0.75, 1.0];
+        let square: f64 = g.iter().map(|g| g * g).sum();
+        for delta in [1.0, 1e-3, 1e-6, 1e-10] {
+            let one = |r: usize, c: usize| f64::from(u8::from(r == c));
+            let block: Block<3> = std::array::from_fn(|c| std::array::from_fn(|r| one(r, c) + g[r] * g[c] / delta));
+            let start = std::array::from_fn(|r| block[r][r]);
+            let Fraction { numerator, denominator, .. } = Fraction::inverse(&block, &start);
+            let inverse = times(&numerator, 1.0 / denominator);
+            for c in 0..3 {
+                for r in 0..3 {
+                    let expected = one(r, c) - g[r] * g[c] / (delta + square);
+                    let error = (inverse[c][r] - expected).abs();
+                    assert!(error <= ROUNDING * (1.0 + 1.0 / delta), "{delta:e}: {error:e}");
+                }
+            }
+        }
+    }
+
+    /// Masses whose squares no number holds are refused, as a pivot of the last row.
+    #[test]
+    fn invariant_blocks_out_of_the_range_of_numbers_are_refused() {
+        const ROWS: SparsityPattern = SparsityPattern::new(&[0, 2, 4], &[0, 2, 1, 2]);
+        let mut kkt = BlockKkt::<2>::new(3, &ROWS, &Plan::new(3, &ROWS, 2).unwrap());
+        for (mass, is_taken) in [(1e150, true), (1e-150, true), (1e160, false), (1e-160, false), (f64::NAN, false)] {
+            let factored = kkt.factor(&[mass; 3], &[1.0, 0.5, 1.0, 0.5]);
+            assert_eq!(factored.is_ok(), is_taken, "{mass:e}: {factored:?}");
         }
     }
 }

@@ -23,7 +23,7 @@ pub fn sensitivities_at<S, const N: usize>(
     data: &Measured,
 ) -> Result<Vec<Vec<f64>>, SetupError>
 where
-    S: Scene + Equations<Dual<N>> + ?Sized,
+    S: Scene + Equations<Dual<N>>,
 {
     let info = scene.info();
     let places = data.names().map(|name| {

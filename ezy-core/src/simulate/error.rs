@@ -98,11 +98,28 @@ pub enum SetupError {
         /// Length of what was given.
         found: usize,
     },
+    /// A run carries so many derivatives at once.
+    #[error("derivatives by {n} quantities are asked for, and a run carries {limit}: make further runs for the others")]
+    TooManyDerivatives {
+        /// Quantities that were asked for.
+        n: usize,
+        /// Most of them.
+        limit: usize,
+    },
     /// What a derivative is asked by is computed, not given.
     #[error("`{name}` is not given by the start but follows from the constraints; give it a start value")]
     NotGiven {
         /// Name of the coordinate or velocity.
         name: Name,
+    },
+    /// What a derivative is asked by cannot change alone.
+    #[error(
+        "the motion has no derivative by `{name}`: with another value of it the constraints contradict what the start gives; give it fewer \
+         values, or values that are near"
+    )]
+    HeldByStart {
+        /// Name of the parameter or start value.
+        name: String,
     },
     /// The tolerance of angles is not positive or too large.
     #[error("the tolerance of angles is {rad:e} rad; give a positive one up to {largest:e} rad, or none")]

@@ -4,8 +4,11 @@ use super::events::pendulum;
 use super::singular::parallelogram;
 use crate::{simulation, system_of};
 use ezy_core::dynamics::MotionError;
-use ezy_core::model::Start;
+use ezy_core::model::{Equations, Start};
 use ezy_core::prelude::*;
+use ezy_core::scalar;
+use ezy_core::simulate::SetupError;
+use std::f64::consts::FRAC_PI_6;
 
 model! {
     /// A mass on a spring.
@@ -181,6 +184,81 @@ model! {
         constraint rope: two.x = one.x + 1;
         start here { one x 0; two vx 2; one y 0; two y 0; one vy 0; two vy 0; one angle 0 rate 0; two angle 0 rate 0; }
         scene glides { start here; until 1 s; }
+    }
+}
+
+model! {
+    /// A crank and a rod whose angle is a guess.
+    pub model Crank {
+        param r: m = 0.5;
+        param l: m = 1;
+        body crank { mass: 1, inertia: 1 }
+        body rod { mass: 1, inertia: 1 }
+        hinge bearing: ground(0, 0) ~ crank(0, 0);
+        hinge pin: crank(r, 0) ~ rod(-l, 0);
+        constraint guide: rod.y = 0;
+        start upright { crank angle pi/2; rod near angle -pi/6; at rest; }
+        start held { crank angle pi/2; rod angle -pi/6; at rest; }
+        scene follows { start upright; until 1 s; }
+        scene stands { start held; until 1 s; }
+    }
+}
+
+/// l sin φ = −r: a near angle gives way to a change of the crank, dφ/dr = −1/(l cos φ), and one that is held does not let it change.
+#[test]
+fn analytic_what_a_start_does_not_let_change_is_told() {
+    fn of<'s, S: Scene + Equations<scalar::Dual<1>>>(scene: &'s S) -> Result<Sensitivities<'s, 1>, SetupError> {
+        let start = System::new(scene, Backend::Auto).unwrap().scene_start();
+        Sensitivities::new(scene, &start, ["r"], Method::rk4(1e-2))
+    }
+    let follows = crank::Follows::default();
+    let [by_length] = of(&follows).unwrap().tangents();
+    let expected = -1.0 / (FRAC_PI_6.cos());
+    assert!((by_length.q[5] - expected).abs() <= 1e-12, "{:?}", by_length.q);
+    let error = of(&crank::Stands::default()).err().unwrap();
+    assert!(matches!(&error, SetupError::HeldByStart { name } if name == "r"), "{error}");
+}
+
+model! {
+    /// Rods on a line, the first of which is held twice.
+    pub model Garland {
+        count n = 4;
+        param m: kg = 0.5;
+        param r: m = 0.25;
+        body link[n] { mass: m, inertia: 0.02 }
+        hinge top: ground(0, 0) ~ link[0](-r, 0);
+        constraint again: link[0].x^2 + link[0].y^2 = r^2;
+        for i in 1..n { hinge pin[i]: link[i-1](r, 0) ~ link[i](-r, 0); }
+        gravity (0, -9.81);
+        start slanted { for i in 0..n { link[i] angle -0.3*i; } at rest; }
+        scene swings { start slanted; until 0.4 s; }
+    }
+}
+
+/// Scenes with counts and with redundant rows, which no elimination solves, have derivatives, too: by length, mass and an angle.
+#[test]
+fn fd_derivatives_of_a_scene_with_counts_and_redundant_rows() {
+    let scene = garland::Swings::default();
+    let start = system_of(&scene, Backend::Auto).unwrap().scene_start();
+    let until = scene.info().until_s;
+    let mut run = Sensitivities::new(&scene, &start, ["r", "m", "link[1].phi"], Method::rk4(1e-3)).unwrap();
+    run.advance(until).unwrap();
+    let end = |r: f64, m: f64, phi: f64| {
+        let scene = garland::Swings { r, m, ..Default::default() };
+        let run = simulation(&scene).method(Method::rk4(1e-3)).start("link[1].phi", phi).run().unwrap();
+        [run.last().coordinates, run.last().velocities].concat()
+    };
+    // differences of the fourth part of ε^(1/3): truncation h² and rounding ε/h are 1e-9
+    const STEP: f64 = 1e-5;
+    for (tangent, by) in run.tangents().iter().zip([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]) {
+        let [up, down] = [STEP, -STEP].map(|h| end(0.25 + h * by[0], 0.5 + h * by[1], -0.3 + h * by[2]));
+        let expected: Vec<f64> = up.iter().zip(&down).map(|(up, down)| (up - down) / (2.0 * STEP)).collect();
+        let found = [&tangent.q[..], &tangent.v].concat();
+        let size = found.iter().fold(1.0_f64, |size, x| size.max(x.abs()));
+        assert!(
+            found.iter().zip(&expected).all(|(x, y)| (x - y).abs() <= 1e-7 * size),
+            "{by:?}: {found:?} {expected:?}"
+        );
     }
 }
 

@@ -105,6 +105,60 @@ class Scene:
         Raises EzyError for what cannot be run, and StoppedError for a run that ends before its time; its attribute `run` has everything up to
         there.
         """
+    def sweep(
+        self,
+        vary: Mapping[str, _Times],
+        *,
+        together: bool = False,
+        keep: Sequence[str] = ...,
+        threads: int | None = None,
+        lanes: bool = False,
+        every: float | None = None,
+        until: float | None = None,
+        rtol: float | None = None,
+        atol: float | None = None,
+        step: float | None = None,
+        method: str | None = None,
+        start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, float | tuple[_Times, _Times]] | None = None,
+        project_start: bool = False,
+    ) -> dict[str, Any]:
+        """Runs the scene for all values of what `vary` names, on all cores: parameters, counts, inputs and start values. Returns a dictionary of
+        arrays with a number for each run: `pandas.DataFrame(table)`.
+
+        vary: sequences of values by name; each value meets each other one, the last name varies fastest
+        together: the first values belong together, then the second ones, and so on
+        keep: what is kept of each run: "seat.vx" at its end, "max:output.speed", "event:landed"; positions and velocities if not given
+        threads: how many work at most
+        lanes: runs eight neighbours together, by dop853, where only their ends are kept
+        every: time between the samples from which extremes are taken, s
+        until, rtol, atol, step, method, start, inputs and project_start as for `run`
+
+        A run that fails is a row with its outcome and a message.
+        """
+    def sensitivities(
+        self,
+        by: Sequence[str],
+        until: float | None = None,
+        *,
+        rtol: float | None = None,
+        atol: float | None = None,
+        step: float | None = None,
+        method: str | None = None,
+        every: float | None = None,
+        at: _Times | None = None,
+        start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, float] | None = None,
+        project_start: bool = False,
+    ) -> Sensitivities:
+        """A run with the exact derivatives of coordinates, velocities and first-order states by what `by` names: parameters, and values that the
+        start gives. They are those of the computed motion.
+
+        until, rtol, atol, step, method, every, at, start and project_start as for `run`, inputs as numbers alone. Methods are "dop853", "rk4" and
+        "midpoint". Start values stay as they are when a parameter changes, and what the start does not give follows the constraints.
+
+        Raises EzyError for what cannot be run, and StoppedError where the motion cannot go on.
+        """
     def stepper(
         self, step: float, *, start: Mapping[str, float] | None = None, inputs: Mapping[str, float] | None = None
     ) -> Stepper:
@@ -206,6 +260,27 @@ class Run:
     @property
     def estimate(self) -> dict[str, float] | str | None:
         """With `estimate=True` the largest error of positions, velocities and so on, each in its unit; a text where there is no estimate."""
+
+@final
+class Sensitivities:
+    """A run with the derivatives of coordinates, velocities and first-order states by some quantities, at each sample."""
+
+    def __getitem__(self, key: str | tuple[str, str], /) -> _Array:
+        """The values of a column by its name; with a pair of names its derivatives: `found["bar.phi", "m0"]`."""
+    def jacobian(self, *columns: str) -> _Array:
+        """Derivatives of these columns, all if none are named: an array of samples × columns × quantities."""
+    @property
+    def t(self) -> _Array:
+        """Times of the samples, s."""
+    @property
+    def columns(self) -> list[str]:
+        """Names of the columns: coordinates, velocities and first-order states."""
+    @property
+    def by(self) -> list[str]:
+        """Names of the quantities that it is differentiated by."""
+    @property
+    def units(self) -> dict[str, str]:
+        """Units of columns and quantities, by name; a derivative has the one over the other."""
 
 @final
 class Equilibrium:

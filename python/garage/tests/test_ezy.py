@@ -150,15 +150,26 @@ def test_threads_run_beside_each_other():
     assert found == [alone] * 4
 
 
-def test_control_c_ends_a_run():
-    """Of a run of hours, within seconds, also where the shell let this program ignore it."""
+#: Each would take hours.
+LONG = {
+    "run": lambda: ezy.doublependulum.swing().run(until=1e5, step=1e-4, every=1e4),
+    "sweep": lambda: ezy.doublependulum.swing().sweep({"m1": [1, 2, 3]}, until=1e5, step=1e-4),
+    "sensitivities": lambda: ezy.doublependulum.swing().sensitivities(["m1"], until=1e4, step=1e-4),
+    "batch": lambda: ezy.doublependulum.swing().batch(8, 1e-4).step(10**9),
+    "equilibria": lambda: ezy.doublependulum.swing().equilibria(n_starts=100_000),
+}
+
+
+@pytest.mark.parametrize("work", LONG.values(), ids=LONG)
+def test_control_c_ends_what_takes_long(work):
+    """Within seconds, also where the shell let this program ignore it."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
     timer.start()
     began = time.monotonic()
     try:
         with pytest.raises(KeyboardInterrupt):
-            ezy.doublependulum.swing().run(until=1e5, step=1e-4, every=1e4)
+            work()
     finally:
         signal.signal(signal.SIGINT, before)
     assert time.monotonic() - began < 10

@@ -2,6 +2,7 @@
 
 use super::{Matrix, PyEquilibrium, PyLinearization, Request};
 use crate::error::wrong;
+use crate::signals::left_to_itself;
 use ezy_core::analysis::{Course, Linearization, Rests, Spectrum, SteadyMotion};
 use ezy_core::dynamics::System;
 use ezy_core::model::{Scene, SceneInfo, Start};
@@ -28,36 +29,36 @@ impl Request {
     }
 }
 
-pub(crate) fn equilibrium(py: Python<'_>, request: &Request) -> PyResult<PyEquilibrium> {
-    let motion = py.detach(|| {
+pub(crate) fn equilibrium(py: Python<'_>, request: Request) -> PyResult<PyEquilibrium> {
+    left_to_itself(py, move || {
         let (mut system, start) = request.assembled()?;
-        SteadyMotion::near(&mut system, &start, &request.hold()).map_err(wrong)
-    })?;
-    Ok(PyEquilibrium::new(&request.scene.info(), &motion))
+        let motion = SteadyMotion::near(&mut system, &start, &request.hold()).map_err(wrong)?;
+        Ok(PyEquilibrium::new(&request.scene.info(), &motion))
+    })?
 }
 
-pub(crate) fn equilibria(py: Python<'_>, request: &Request, n_starts: usize) -> PyResult<Vec<PyEquilibrium>> {
+pub(crate) fn equilibria(py: Python<'_>, request: Request, n_starts: usize) -> PyResult<Vec<PyEquilibrium>> {
     if !(1..=MOST_STARTS).contains(&n_starts) {
         return Err(wrong(format!(
             "`n_starts` takes a whole number from 1 to {MOST_STARTS}, but was given {n_starts}"
         )));
     }
-    let rests = py.detach(|| {
+    left_to_itself(py, move || {
         let (mut system, start) = request.assembled()?;
-        Rests::of(&mut system, &start, &request.hold(), n_starts).map_err(wrong)
-    })?;
-    let info = request.scene.info();
-    Ok(rests.found.iter().map(|rest| PyEquilibrium::new(&info, &rest.motion)).collect())
+        let rests = Rests::of(&mut system, &start, &request.hold(), n_starts).map_err(wrong)?;
+        let info = request.scene.info();
+        Ok(rests.found.iter().map(|rest| PyEquilibrium::new(&info, &rest.motion)).collect())
+    })?
 }
 
-pub(crate) fn linearize(py: Python<'_>, request: &Request) -> PyResult<PyLinearization> {
-    let (motion, linear, spectrum) = py.detach(|| {
+pub(crate) fn linearize(py: Python<'_>, request: Request) -> PyResult<PyLinearization> {
+    let (motion, linear, spectrum) = left_to_itself(py, move || {
         let (mut system, start) = request.assembled()?;
         let motion = SteadyMotion::near(&mut system, &start, &request.hold()).map_err(wrong)?;
         let linear = Linearization::of(&mut system, &motion).map_err(wrong)?;
         let spectrum = linear.spectrum().map_err(wrong)?;
         Ok::<_, PyErr>((motion, linear, spectrum))
-    })?;
+    })??;
     PyLinearization::new(py, &motion, &linear, &spectrum)
 }
 

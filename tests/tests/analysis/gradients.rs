@@ -44,7 +44,7 @@ const N_STATES: u64 = 4;
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Shortest step of the differences, relative to what is varied where that is above one.
-const STEP: f64 = 6e-6;
+pub(super) const STEP: f64 = 6e-6;
 
 /// The differences are of fourth order at steps of one and two, extrapolated: (4/3 + 1/6) ε/step of what is differentiated, and as
 /// much for each of a few terms that cancel in it.
@@ -151,7 +151,7 @@ fn scenes(models: &[&ModelInfo]) -> Vec<Box<dyn Scene>> {
 }
 
 /// Those of the garage, of every other shape, and of a body in space.
-fn all() -> Vec<Box<dyn Scene>> {
+pub(super) fn all() -> Vec<Box<dyn Scene>> {
     let models = [MODELS, &shapes::MODELS, &random_models::MODELS, &[&piloted::piloted::MODEL, &gantry::MODEL]];
     let top = Top {
         inertia: [0.2, 0.3, 0.4],
@@ -162,7 +162,7 @@ fn all() -> Vec<Box<dyn Scene>> {
     models.into_iter().flat_map(scenes).chain([Box::new(top) as Box<dyn Scene>]).collect()
 }
 
-fn name(scene: &dyn Scene) -> String {
+pub(super) fn name(scene: &dyn Scene) -> String {
     format!("{}/{}", scene.info().model, scene.info().name)
 }
 
@@ -258,15 +258,15 @@ fn fd_gradients_of_everything_by_everything() {
 
 /// Slopes of numbers at zero, by central differences at two steps that are extrapolated to none.
 #[derive(Debug)]
-struct Difference {
-    slopes: Vec<f64>,
+pub(super) struct Difference {
+    pub slopes: Vec<f64>,
     /// At most these: what the next coarser pair of steps gives less of it.
-    truncations: Vec<f64>,
-    size: f64,
+    pub truncations: Vec<f64>,
+    pub size: f64,
 }
 
 impl Difference {
-    fn of(mut f: impl FnMut(f64) -> (Vec<f64>, f64)) -> Self {
+    pub fn of(mut f: impl FnMut(f64) -> (Vec<f64>, f64)) -> Self {
         let mut size = 0.0_f64;
         let mut central = |step: f64| {
             let ((ahead, size_ahead), (behind, size_behind)) = (f(step), f(-step));

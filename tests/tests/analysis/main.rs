@@ -7,5 +7,6 @@ mod inverse_dynamics;
 mod large;
 mod linear;
 mod periodic_motions;
+mod sensitivities;
 mod towed;
 mod workspaces;

@@ -1,9 +1,15 @@
 //! Derivatives of a motion by start values and parameters.
 
 use super::trajectory::Trajectory;
-use crate::dynamics::{MotionError, State, System, SystemOf};
+#[cfg(feature = "analysis")]
+use crate::dynamics::SystemError;
+use crate::dynamics::{
+    Dynamics as _, Kernels, MotionError, Projecting, State, System, SystemOf, SystemWithDerivatives,
+};
 use crate::integrate::Method;
 use crate::linalg::Backend;
+#[cfg(feature = "analysis")]
+use crate::model::{Derived as _, N_DERIVATIVES};
 use crate::model::{Equations, Scene, SceneInfo, SceneRef, Start};
 use crate::record::find_name;
 use crate::scalar::Dual;
@@ -52,8 +58,24 @@ pub struct Tangent {
 /// # Ok(())
 /// # }
 /// ```
-pub struct Sensitivities<'s, S: ?Sized, const N: usize> {
-    trajectory: Trajectory<SystemOf<'s, S, Dual<N>>, Dual<N>>,
+pub struct Sensitivities<'s, const N: usize> {
+    run: Box<dyn Carrying<N> + 's>,
+}
+
+/// A run with derivatives, whatever solves its equations.
+trait Carrying<const N: usize> {
+    fn advance(&mut self, until_s: f64) -> Result<(), MotionError>;
+    fn now(&self) -> &State<Dual<N>>;
+}
+
+impl<D: Projecting<Dual<N>>, const N: usize> Carrying<N> for Trajectory<D, Dual<N>> {
+    fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
+        self.advance(until_s)
+    }
+
+    fn now(&self) -> &State<Dual<N>> {
+        &self.now
+    }
 }
 
 /// What a name stands for.
@@ -64,43 +86,37 @@ enum Quantity {
     State(usize),
 }
 
-impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'s, S, N> {
+impl<'s, const N: usize> Sensitivities<'s, N> {
     /// The run of `scene` from the consistent state that belongs to `start`, with derivatives `by` the named parameters and
     /// given start values. Inputs keep their declared values.
     ///
     /// # Errors
-    /// [`SetupError`] when a name is unknown or not given, or when scene, start or method cannot be used: `dop853`, `rk4` and `midpoint`
-    /// can, on scenes with a generated elimination.
-    pub fn new(scene: &'s S, start: &Start, by: [&str; N], method: Method) -> Result<Self, SetupError> {
-        let mut system = System::new(scene, Backend::Generated)?;
-        let info = Arc::clone(system.info());
-        let State { t, q, v, z, .. } = system.consistent_start(start)?;
-        let mut parameters: Vec<Dual<N>> = scene.parameters().into_iter().map(Dual::constant).collect();
-        let mut q: Vec<Dual<N>> = q.into_iter().map(Dual::constant).collect();
-        let mut v: Vec<Dual<N>> = v.into_iter().map(Dual::constant).collect();
-        let mut z: Vec<Dual<N>> = z.into_iter().map(Dual::constant).collect();
-        for (direction, name) in by.into_iter().enumerate() {
-            let seeded = match quantity(&info, start, name)? {
-                Quantity::Parameter(i) => &mut parameters[i],
-                Quantity::Position(i) => &mut q[i],
-                Quantity::Velocity(i) => &mut v[i],
-                Quantity::State(i) => &mut z[i],
-            };
-            *seeded = Dual::variable(seeded.value, direction);
+    /// [`SetupError`] when a name is unknown or not given, or when scene, start or method cannot be used: `dop853`, `rk4` and `midpoint` can.
+    /// # Cost
+    /// With a generated elimination about that of N single runs, else of two times as many.
+    pub fn new<S: Scene + Equations<Dual<N>>>(
+        scene: &'s S,
+        start: &Start,
+        by: [&str; N],
+        method: Method,
+    ) -> Result<Self, SetupError> {
+        let system = System::new(scene, Backend::Auto)?;
+        let is_eliminated = system.uses_elimination();
+        let (system, info, start) = at_start(system, |scene| *scene, start, &by)?;
+        if !is_eliminated {
+            return Self::of(system, info, start, method);
         }
-        let mut fixed: Vec<Dual<N>> = system.fixed().iter().map(|&x| Dual::constant(x)).collect();
-        scene.constants(&parameters, &mut fixed);
+        let system = SystemOf::new(scene, Arc::clone(&info), system.into_fixed());
+        Self::of(system, info, start, method)
+    }
 
-        let values: Vec<f64> = q.iter().map(|q| q.value).collect();
-        let mut residual = vec![Dual::constant(0.0); info.n_rows()];
-        let rows = &mut residual[..info.n_position_rows];
-        scene.position_constraint(&fixed, Dual::constant(t), &q, rows);
-        follow(&mut system, t, &values, rows, &start.q_given, &mut q);
-        scene.velocity_constraint(&fixed, Dual::constant(t), &q, &v, &mut residual);
-        follow(&mut system, t, &values, &residual, &start.v_given, &mut v);
-
-        let start = State { t, q, v, z, work: Vec::new() };
-        Ok(Self { trajectory: Trajectory::new(SystemOf::new(scene, Arc::clone(&info), fixed), info, start, method)? })
+    fn of(
+        system: impl Projecting<Dual<N>> + 's,
+        info: Arc<SceneInfo>,
+        start: State<Dual<N>>,
+        method: Method,
+    ) -> Result<Self, SetupError> {
+        Ok(Self { run: Box::new(Trajectory::new(system, info, start, method)?) })
     }
 
     /// Runs on to `until_s`.
@@ -108,19 +124,19 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
     /// # Errors
     /// [`MotionError`]; [`Sensitivities::state`] is then the last good state.
     pub fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
-        self.trajectory.advance(until_s)
+        self.run.advance(until_s)
     }
 
     /// Where the run is, without works.
     pub fn state(&self) -> State {
         let values = |x: &[Dual<N>]| x.iter().map(|x| x.value).collect();
-        let State { t, q, v, z, .. } = &self.trajectory.now;
+        let State { t, q, v, z, .. } = self.run.now();
         State { t: *t, q: values(q), v: values(v), z: values(z), work: Vec::new() }
     }
 
     /// Derivatives of the present state, in the order of the names.
     pub fn tangents(&self) -> [Tangent; N] {
-        let State { q, v, z, .. } = &self.trajectory.now;
+        let State { q, v, z, .. } = self.run.now();
         std::array::from_fn(|i| {
             let along = |x: &[Dual<N>]| x.iter().map(|x| x.derivatives[i]).collect();
             Tangent { q: along(q), v: along(v), z: along(z) }
@@ -128,20 +144,61 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
     }
 }
 
-/// Lets what is not given follow the derivatives of the rows.
-fn follow<P: SceneRef, const N: usize>(
-    system: &mut System<P>,
-    t: f64,
-    q: &[f64],
-    residual: &[Dual<N>],
-    given: &[bool],
-    x: &mut [Dual<N>],
-) {
-    for direction in 0..N {
-        let changed: Vec<f64> = residual.iter().map(|row| row.derivatives[direction]).collect();
-        let tangent = system.assembly().free_tangent(t, q, &changed, given);
-        x.iter_mut().zip(tangent).for_each(|(x, change)| x.derivatives[direction] += change);
+#[cfg(feature = "analysis")]
+impl<'s> Sensitivities<'s, N_DERIVATIVES> {
+    /// The run of the scene of `system`, with its inputs, from the consistent state that belongs to `start`
+    /// ([`Simulation::system_at_start`](super::super::Simulation::system_at_start)), by at most [`N_DERIVATIVES`] quantities; further derivatives are
+    /// zero. For a scene whose type is not known where it is run.
+    ///
+    /// # Errors
+    /// As [`Sensitivities::new`]; [`SetupError::TooManyDerivatives`], and [`SystemError::WithoutDerivatives`] for a scene whose kernels run on `f64`
+    /// alone.
+    pub fn of_scene<P: SceneRef + 's>(
+        system: System<P>,
+        start: &Start,
+        by: &[&str],
+        method: Method,
+    ) -> Result<Self, SetupError> {
+        if system.scene().with_derivatives().is_none() {
+            return Err(SystemError::WithoutDerivatives { scene: system.info().name }.into());
+        }
+        if by.len() > N_DERIVATIVES {
+            return Err(SetupError::TooManyDerivatives { n: by.len(), limit: N_DERIVATIVES });
+        }
+        let kernels: Kernels<P, N_DERIVATIVES> = |scene| scene.with_derivatives().expect("seen above");
+        let (system, info, start) = at_start(system, kernels, start, by)?;
+        Self::of(system, info, start, method)
     }
+}
+
+/// A system and a state that carry the derivatives by what is named.
+type AtStart<P, const N: usize> = (SystemWithDerivatives<P, N>, Arc<SceneInfo>, State<Dual<N>>);
+
+fn at_start<P: SceneRef, const N: usize>(
+    mut system: System<P>,
+    kernels: Kernels<P, N>,
+    start: &Start,
+    by: &[&str],
+) -> Result<AtStart<P, N>, SetupError> {
+    let info = Arc::clone(system.info());
+    let State { t, q, v, z, .. } = system.consistent_start(start)?;
+    let constant = |values: Vec<f64>| values.into_iter().map(Dual::constant).collect::<Vec<_>>();
+    let [mut parameters, mut q, mut v, mut z] = [system.scene().parameters(), q, v, z].map(constant);
+    for (direction, name) in by.iter().enumerate() {
+        let seeded = match quantity(&info, start, name)? {
+            Quantity::Parameter(i) => &mut parameters[i],
+            Quantity::Position(i) => &mut q[i],
+            Quantity::Velocity(i) => &mut v[i],
+            Quantity::State(i) => &mut z[i],
+        };
+        *seeded = Dual::variable(seeded.value, direction);
+    }
+    let mut system = SystemWithDerivatives::new(system, kernels, &parameters);
+    system.place_states(&z);
+    let of_state = Start { t, ..start.clone() };
+    let follows = system.follow_rows(&of_state, &mut q, &mut v);
+    follows.map_err(|direction| SetupError::HeldByStart { name: by[direction].to_owned() })?;
+    Ok((system, info, State { t, q, v, z, work: Vec::new() }))
 }
 
 fn quantity(info: &SceneInfo, start: &Start, name: &str) -> Result<Quantity, SetupError> {

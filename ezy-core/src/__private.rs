@@ -6,6 +6,7 @@ pub use crate::__access_to_recorded as access_to_recorded;
 pub use crate::__faulty_model as faulty_model;
 pub use crate::kernel::{array, array_mut, row, row_mut, sign};
 pub use crate::layout::{Bodies, Known, Layout, member};
+pub use crate::model::coordinate::sines;
 pub use crate::model::equations::PreciseScene;
 pub use crate::model::in_lanes::EquationsInLanes;
 pub use crate::model::named_bodies::BodyReader;

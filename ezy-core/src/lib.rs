@@ -111,7 +111,7 @@ pub mod prelude {
     pub use crate::model::{Derived, Equations, ModelInfo, Scene};
     pub use crate::record::{CsvWriter, RecordError, Recorder, Sample, coordinate_index, input_index, output_index};
     pub use crate::simulate::{
-        Ensemble, InputTable, Inputs, Now, Outcome, Run, Sensitivities, Simulation, Stepper, read_inputs,
+        EightSteppers, Ensemble, InputTable, Inputs, Now, Outcome, Run, Sensitivities, Simulation, Stepper, read_inputs,
     };
     pub use crate::testing::{check_model, check_scene};
 }

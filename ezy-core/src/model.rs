@@ -34,9 +34,7 @@ pub use equations::Equations;
 pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind, StickSlipInfo, StopInfo};
 pub use force_element::ForceElement;
-#[cfg(feature = "sweep")]
-pub(crate) use in_lanes::N_LANES;
-pub(crate) use in_lanes::{Eight, EquationsInLanes};
+pub(crate) use in_lanes::{Eight, EquationsInLanes, N_LANES};
 pub use member::ArrayIndex;
 pub use named::{NamedInputs, NamedScene, NoInputs, NoOutputs};
 pub use named_bodies::{BodyArray, BodyState};

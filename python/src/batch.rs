@@ -6,7 +6,7 @@ use crate::signals::BETWEEN_SIGNALS;
 use crate::stepper::{Places, value};
 use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::record::input_index;
-use ezy_core::simulate::{SetupError, Simulation, Stepper};
+use ezy_core::simulate::{EightSteppers, SetupError, Simulation, Stepper};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
@@ -14,6 +14,9 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::available_parallelism;
 use std::time::Instant;
+
+/// Members that step at once in lanes.
+const N_LANES: usize = 8;
 
 /// Work that is worth a thread, s: to start one, and to wait for it on a busy machine, takes some 20 to 100 µs.
 const LEAST_WORK_S: f64 = 3e-4;
@@ -23,6 +26,8 @@ const LEAST_WORK_S: f64 = 3e-4;
 pub(crate) struct PyBatch {
     /// Locked because Python may call from any thread.
     members: Mutex<Vec<Member>>,
+    /// For eight members each; none where members step by themselves.
+    lanes: Mutex<Vec<EightSteppers<Arc<dyn Scene>>>>,
     places: Places,
     info: Arc<SceneInfo>,
     most_threads: usize,
@@ -43,6 +48,8 @@ pub(crate) struct Settings {
     pub(crate) start: Numbers,
     pub(crate) inputs: Numbers,
     pub(crate) n_threads: Option<usize>,
+    /// Whether eight members step at once.
+    pub(crate) in_lanes: bool,
 }
 
 impl PyBatch {
@@ -52,7 +59,7 @@ impl PyBatch {
         settings: &Settings,
         simulation: impl Fn(Arc<dyn Scene>) -> Simulation<'static, Arc<dyn Scene>> + Sync,
     ) -> PyResult<Self> {
-        let Settings { scenes, start, inputs, n_threads } = settings;
+        let Settings { scenes, start, inputs, n_threads, in_lanes } = settings;
         let n_cores = available_parallelism().map_or(1, usize::from);
         let most_threads = n_threads.unwrap_or(n_cores).min(n_cores);
         let made = |i: usize| {
@@ -67,10 +74,16 @@ impl PyBatch {
             Some(Err(error)) => Some(Err(wrong(format!("member {i}: {error}")))),
             None => None,
         };
-        let members = all.into_iter().filter_map(member).collect::<PyResult<Vec<_>>>()?;
+        let mut members = all.into_iter().filter_map(member).collect::<PyResult<Vec<_>>>()?;
+        let eight = |members: &mut [Member]| EightSteppers::new(&steppers(members)).map_err(wrong);
+        let lanes = match in_lanes {
+            true => members.chunks_mut(N_LANES).map(eight).collect::<PyResult<_>>()?,
+            false => Vec::new(),
+        };
         let info = scenes[0].info();
         let places = Places::new(&info);
-        Ok(Self { members: Mutex::new(members), places, info, most_threads, seconds_of_step: f64::INFINITY })
+        let (members, lanes) = (Mutex::new(members), Mutex::new(lanes));
+        Ok(Self { members, lanes, places, info, most_threads, seconds_of_step: f64::INFINITY })
     }
 
     /// `&mut self` excludes others: there is nothing to wait for.
@@ -133,8 +146,16 @@ impl PyBatch {
             // all have taken as many steps when a signal comes
             let until_signals = BETWEEN_SIGNALS.as_secs_f64() * n_threads as f64 / (self.seconds_of_step * n_members);
             let n = left.min((until_signals as u64).max(1));
-            let (members, began) = (self.members(), Instant::now());
-            py.detach(|| on_threads(members, n_threads, |member| member.step(n)));
+            let began = Instant::now();
+            let members = self.members.get_mut().unwrap_or_else(PoisonError::into_inner);
+            let lanes = self.lanes.get_mut().unwrap_or_else(PoisonError::into_inner);
+            py.detach(|| match lanes.is_empty() {
+                true => on_threads(members, n_threads, |member| member.step(n)),
+                false => {
+                    let mut groups: Vec<_> = lanes.iter_mut().zip(members.chunks_mut(N_LANES)).collect();
+                    on_threads(&mut groups, n_threads, |(lanes, members)| step_in_lanes(lanes, members, n));
+                }
+            });
             self.seconds_of_step = began.elapsed().as_secs_f64() * n_threads as f64 / (n as f64 * n_members);
             left -= n;
             py.check_signals()?;
@@ -278,6 +299,18 @@ impl Member {
         self.stopped = None;
         Ok(())
     }
+}
+
+/// Takes `n` steps of eight members, one after the other where it is not possible at once.
+fn step_in_lanes(lanes: &mut EightSteppers<Arc<dyn Scene>>, members: &mut [Member], n: u64) {
+    let can_go_on = members.iter().all(|member| member.stopped.is_none());
+    if !can_go_on || !lanes.step(&mut steppers(members), n) {
+        members.iter_mut().for_each(|member| member.step(n));
+    }
+}
+
+fn steppers(members: &mut [Member]) -> Vec<&mut Stepper<'static, Arc<dyn Scene>>> {
+    members.iter_mut().map(|member| &mut member.stepper).collect()
 }
 
 /// Does the work of each item, on so many threads. An item knows nothing of the others: the numbers do not depend on the threads.

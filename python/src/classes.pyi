@@ -174,11 +174,13 @@ class Scene:
         inputs: Mapping[str, _Numbers] | None = None,
         parameters: Mapping[str, _Numbers] | None = None,
         threads: int | None = None,
+        lanes: bool = False,
     ) -> Batch:
         """`n` steppers that step together on all cores, without the global lock.
 
         start, inputs and parameters have values by name, each a number or an array with one for each member; threads is how many work at
-        most. The numbers are those of single steppers, whatever the number of threads.
+        most. The numbers are those of single steppers, whatever the number of threads; with lanes=True eight members step at once, about three
+        times as fast, and their numbers are those but for 1e-12 of their size a step.
         """
     def equilibrium(
         self,
@@ -492,7 +494,7 @@ class VectorEnvironment(gymnasium.vector.VectorEnv[_Array, _Array, npt.NDArray[A
 
     num_envs is how many; scene, step and all else are as for Environment. reward and terminated are functions of the batch after the actions:
     `now["bar.phi"]` is an array with a number for each member, and so is what they return. parameters has arrays by name, one number for each
-    member; threads is how many work at most. autoreset_mode is one of Gymnasium's: "NextStep", "SameStep" or "Disabled". The numbers are
+    member; threads is how many work at most, and lanes lets eight step at once, as for a batch. autoreset_mode is one of Gymnasium's: "NextStep", "SameStep" or "Disabled". The numbers are
     those of `gymnasium.vector.SyncVectorEnv` of so many Environments, to the bit.
 
     Raises EzyError for what cannot be used.
@@ -516,6 +518,7 @@ class VectorEnvironment(gymnasium.vector.VectorEnv[_Array, _Array, npt.NDArray[A
         until: float | None = None,
         parameters: Mapping[str, _Numbers] | None = None,
         threads: int | None = None,
+        lanes: bool = False,
         autoreset_mode: Literal["NextStep", "SameStep", "Disabled"] | gymnasium.vector.AutoresetMode = "NextStep",
     ) -> None: ...
     def reset(

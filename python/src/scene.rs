@@ -274,8 +274,9 @@ impl PyScene {
     /// `n` steppers that step together on all cores, without the global lock.
     ///
     /// start, inputs and parameters have values by name, each a number or an array with one for each member; threads is how many work at
-    /// most. The numbers are those of single steppers, whatever the number of threads.
-    #[pyo3(signature = (n, step, *, start=None, inputs=None, parameters=None, threads=None))]
+    /// most. The numbers are those of single steppers, whatever the number of threads; with lanes=True eight members step at once, about three
+    /// times as fast, and their numbers are those but for 1e-12 of their size a step.
+    #[pyo3(signature = (n, step, *, start=None, inputs=None, parameters=None, threads=None, lanes=false))]
     #[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
     fn batch(
         &self,
@@ -286,6 +287,7 @@ impl PyScene {
         inputs: Option<&Bound<'_, PyMapping>>,
         parameters: Option<&Bound<'_, PyMapping>>,
         threads: Option<usize>,
+        lanes: bool,
     ) -> PyResult<PyBatch> {
         for (name, number) in [("n", Some(n)), ("threads", threads)] {
             if number == Some(0) {
@@ -302,6 +304,7 @@ impl PyScene {
             start: numbers_of_members(start, n)?,
             inputs: numbers_of_members(inputs, n)?,
             n_threads: threads,
+            in_lanes: lanes,
         };
         PyBatch::new(py, &settings, |scene| Simulation::new(scene).method(Method::rk4(step)))
     }

@@ -61,7 +61,8 @@ impl PySensitivities {
             false => columns.iter().map(|name| self.column(name)).collect::<PyResult<Vec<_>>>()?,
         };
         let (n, derivatives) = (self.columns.len(), &self.derivatives);
-        let of_sample = |sample: usize| places.iter().flat_map(move |i| derivatives.iter().map(move |of| of[sample * n + i]));
+        let of_sample =
+            |sample: usize| places.iter().flat_map(move |i| derivatives.iter().map(move |of| of[sample * n + i]));
         let numbers = PyArray1::from_iter(py, (0..self.t.len()).flat_map(of_sample));
         numbers.reshape([self.t.len(), places.len(), self.by.len()])
     }
@@ -147,7 +148,9 @@ mod computed {
         samples: &Samples,
     ) -> PyResult<PySensitivities> {
         if by.is_empty() {
-            return Err(wrong("`by` names nothing; give names of parameters and start values, such as [\"m0\", \"bar.phi\"]"));
+            return Err(wrong(
+                "`by` names nothing; give names of parameters and start values, such as [\"m0\", \"bar.phi\"]",
+            ));
         }
         let flag = AtomicBool::new(false);
         watched(py, &flag, || {
@@ -171,7 +174,7 @@ mod computed {
                     if flag.load(Ordering::Relaxed) {
                         break;
                     }
-                    run.advance(t).map_err(|error| StoppedError::new_err(error.to_string()))?;
+                    run.advance_unless(t, &flag).map_err(|error| StoppedError::new_err(error.to_string()))?;
                     let state = run.state();
                     found.values.extend(state.q.iter().chain(&state.v).chain(&state.z));
                     for (of, tangent) in of_group.iter_mut().zip(run.tangents()) {
@@ -194,7 +197,8 @@ mod computed {
 
     /// Names and units of coordinates, velocities and first-order states.
     fn columns(info: &SceneInfo) -> Vec<(String, String)> {
-        let moving = info.coordinates.iter().chain(&*info.velocities).map(|of| (of.name.to_string(), of.unit.to_string()));
+        let moving =
+            info.coordinates.iter().chain(&*info.velocities).map(|of| (of.name.to_string(), of.unit.to_string()));
         moving.chain(info.states.iter().map(|of| (format!("state.{}", of.name), of.unit.to_owned()))).collect()
     }
 

@@ -89,12 +89,15 @@ impl Request {
     }
 
     fn case(&self, mut scene: Box<dyn Scene>, targets: &[Target], case: &Case<'_>) -> Result<Finished, Refused> {
-        let values = || targets.iter().zip(&self.vary).zip(case.values()).map(|((of, (name, _)), x)| (of, name, x.number()));
+        let values =
+            || targets.iter().zip(&self.vary).zip(case.values()).map(|((of, (name, _)), x)| (of, name, x.number()));
         for (target, name, value) in values() {
             match target {
                 Target::Parameter(i) => scene.set_parameter(*i, value),
                 Target::Count(_) if value < 1.0 || value.fract() != 0.0 => {
-                    return Err(Refused::new(format!("`{name}` takes a whole number from 1 on, but was given {value}")));
+                    return Err(Refused::new(format!(
+                        "`{name}` takes a whole number from 1 on, but was given {value}"
+                    )));
                 }
                 Target::Count(i) => scene.set_count(*i, value as usize),
                 Target::Input | Target::Start => {}

@@ -81,10 +81,11 @@ impl<P: SceneRef> Configuration<'_, P> {
 
     /// `[F; −[h; s]]` into the buffer.
     fn write_right_side(&mut self, v: &[f64]) {
-        let System { scene, fixed, factors, .. } = &mut *self.system;
+        let System { scene, fixed, factors, sines, .. } = &mut *self.system;
         let (F, gamma) = factors.right_side.split_at_mut(v.len());
-        scene.applied_force(fixed, self.t, self.q, v, F);
-        scene.convective_term(fixed, self.t, self.q, v, gamma);
+        let sines = sines.at(self.q);
+        scene.applied_force_with_sines(fixed, self.t, self.q, v, sines, F);
+        scene.convective_term_with_sines(fixed, self.t, self.q, v, sines, gamma);
         gamma.iter_mut().for_each(|h| *h = -*h);
     }
 
@@ -179,15 +180,15 @@ impl<P: SceneRef> Configuration<'_, P> {
     /// # Cost
     /// One correction; no allocation.
     pub(crate) fn refine_accelerations(&mut self, v: &[f64], a: &mut [f64]) -> Result<(), MotionError> {
-        let System { scene, fixed, buffers, .. } = &mut *self.system;
-        scene.convective_term(fixed, self.t, self.q, v, &mut buffers.residual);
+        let System { scene, fixed, buffers, sines, .. } = &mut *self.system;
+        scene.convective_term_with_sines(fixed, self.t, self.q, v, sines.at(self.q), &mut buffers.residual);
         self.remove_residual_from(a)
     }
 
     /// Corrects `x` so that `G x` plus what stands in the buffer of residuals is zero.
     fn remove_residual_from(&mut self, x: &mut [f64]) -> Result<(), MotionError> {
-        let System { scene, info, fixed, buffers, .. } = &mut *self.system;
-        scene.velocity_jacobian(fixed, self.t, self.q, &mut buffers.jacobian);
+        let System { scene, info, fixed, buffers, sines, .. } = &mut *self.system;
+        scene.velocity_jacobian_with_sines(fixed, self.t, self.q, sines.at(self.q), &mut buffers.jacobian);
         for (k, row, column) in info.jacobian.entries() {
             buffers.residual[row] += buffers.jacobian[k] * x[column];
         }

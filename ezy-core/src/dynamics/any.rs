@@ -4,7 +4,7 @@ use super::geometry::tolerance_at;
 use super::tolerances::projection::MAX_PASSES;
 use super::{MotionError, Rows, System};
 use crate::model::body_kind;
-use crate::model::{Equations, Pivots, SceneInfo, SceneRef};
+use crate::model::{Derived as _, Eight, Equations, EquationsInLanes, Pivots, SceneInfo, SceneRef};
 use crate::scalar::Scalar;
 use std::sync::Arc;
 
@@ -84,43 +84,126 @@ impl<P: SceneRef> Dynamics<f64> for System<P> {
     }
 }
 
+/// The kernels of a scene that a motion in numbers `T` takes, with its generated elimination.
+pub(crate) trait Eliminating<T> {
+    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]);
+    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]);
+    fn accelerations(&self, c: &[T], t: T, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Pivots;
+    fn correction(&self, c: &[T], t: T, q: &[T], residual: &[T], delta: &mut [T]) -> Pivots;
+    fn state_rates(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]);
+}
+
+impl<T: Scalar, S: Equations<T> + ?Sized> Eliminating<T> for &S {
+    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        T::in_widest(
+            #[inline(always)]
+            || Equations::position_constraint(*self, c, t, q, out),
+        );
+    }
+
+    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        T::in_widest(
+            #[inline(always)]
+            || Equations::velocity_constraint(*self, c, t, q, v, out),
+        );
+    }
+
+    fn accelerations(&self, c: &[T], t: T, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Pivots {
+        T::in_widest(
+            #[inline(always)]
+            || Equations::accelerations(*self, c, t, q, v, a, lambda),
+        )
+    }
+
+    fn correction(&self, c: &[T], t: T, q: &[T], residual: &[T], delta: &mut [T]) -> Pivots {
+        T::in_widest(
+            #[inline(always)]
+            || Equations::correction(*self, c, t, q, residual, delta),
+        )
+    }
+
+    fn state_rates(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        Equations::state_rates(*self, c, t, q, v, out);
+    }
+}
+
+/// A scene that knows its kernels in lanes, and whose type need not be known. It has no first-order states.
+pub(crate) struct InLanes<P>(pub P);
+
+impl<P: SceneRef> InLanes<P> {
+    fn kernels(&self) -> &dyn EquationsInLanes {
+        self.0.in_lanes().expect("who makes this has asked")
+    }
+}
+
+impl<P: SceneRef> Eliminating<Eight> for InLanes<P> {
+    fn position_constraint(&self, c: &[Eight], t: Eight, q: &[Eight], out: &mut [Eight]) {
+        self.kernels().position_constraint_in_lanes(c, &t, q, out);
+    }
+
+    fn velocity_constraint(&self, c: &[Eight], t: Eight, q: &[Eight], v: &[Eight], out: &mut [Eight]) {
+        self.kernels().velocity_constraint_in_lanes(c, &t, q, v, out);
+    }
+
+    fn accelerations(
+        &self,
+        c: &[Eight],
+        t: Eight,
+        q: &[Eight],
+        v: &[Eight],
+        a: &mut [Eight],
+        lambda: &mut [Eight],
+    ) -> Pivots {
+        self.kernels().accelerations_in_lanes(c, &t, q, v, a, lambda)
+    }
+
+    fn correction(&self, c: &[Eight], t: Eight, q: &[Eight], residual: &[Eight], delta: &mut [Eight]) -> Pivots {
+        self.kernels().correction_in_lanes(c, &t, q, residual, delta)
+    }
+
+    fn state_rates(&self, _c: &[Eight], _t: Eight, _q: &[Eight], _v: &[Eight], _out: &mut [Eight]) {}
+}
+
 /// A scene in numbers `T`, solved by its generated elimination; it integrates no works.
-pub(crate) struct SystemOf<'s, S: ?Sized, T> {
-    scene: &'s S,
+pub(crate) struct SystemOf<K, T> {
+    kernels: K,
     info: Arc<SceneInfo>,
     /// Inputs, first-order states, then constants.
-    fixed: Vec<T>,
+    pub fixed: Vec<T>,
+    /// What a time of the scene is ahead of that of the motion, s.
+    pub ahead_s: T,
+    /// The smallest pivot so far.
+    pub smallest_pivot: f64,
     residual: Vec<T>,
     delta: Vec<T>,
 }
 
-impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
+impl<K: Eliminating<T>, T: Scalar> SystemOf<K, T> {
     /// With `fixed` as what the kernels read as `c`: inputs, then constants.
-    pub(crate) fn new(scene: &'s S, info: Arc<SceneInfo>, fixed: Vec<T>) -> Self {
+    pub(crate) fn new(kernels: K, info: Arc<SceneInfo>, fixed: Vec<T>) -> Self {
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
         let (residual, delta) = (zeros(info.n_rows()), zeros(info.n_velocities()));
-        Self { scene, info, fixed, residual, delta }
+        let ahead_s = T::from_f64(0.0);
+        Self { kernels, info, fixed, ahead_s, smallest_pivot: f64::INFINITY, residual, delta }
+    }
+
+    fn time(&self, t: f64) -> T {
+        T::from_f64(t) + self.ahead_s
     }
 
     /// Correction for the residual in the buffer, into the buffer.
     fn correct(&mut self, t: f64, q: &[T]) -> Result<(), MotionError> {
-        let time = T::from_f64(t);
-        let Self { scene, fixed, residual, delta, .. } = self;
-        let pivots = T::in_widest(
-            #[inline(always)]
-            || scene.correction(fixed, time, q, residual, delta),
-        );
+        let time = self.time(t);
+        let pivots = self.kernels.correction(&self.fixed, time, q, &self.residual, &mut self.delta);
         check_pivots(&self.info, pivots, t)
     }
 }
 
-impl<S: Equations<T> + ?Sized, T: Scalar> Dynamics<T> for SystemOf<'_, S, T> {
+impl<K: Eliminating<T>, T: Scalar> Dynamics<T> for SystemOf<K, T> {
     #[inline]
     fn accelerations(&mut self, t: f64, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Result<(), MotionError> {
-        let pivots = T::in_widest(
-            #[inline(always)]
-            || self.scene.accelerations(&self.fixed, T::from_f64(t), q, v, a, lambda),
-        );
+        let pivots = self.kernels.accelerations(&self.fixed, self.time(t), q, v, a, lambda);
+        self.smallest_pivot = self.smallest_pivot.min(pivots.smallest());
         check_pivots(&self.info, pivots, t)
     }
 
@@ -135,25 +218,22 @@ impl<S: Equations<T> + ?Sized, T: Scalar> Dynamics<T> for SystemOf<'_, S, T> {
 
     fn state_rates(&self, t: f64, q: &[T], v: &[T], out: &mut [T]) {
         if !out.is_empty() {
-            self.scene.state_rates(&self.fixed, T::from_f64(t), q, v, out);
+            self.kernels.state_rates(&self.fixed, self.time(t), q, v, out);
         }
     }
 
     fn power(&self, _t: f64, _q: &[T], _v: &[T], _lambda: &[T], _out: &mut [T]) {}
 }
 
-impl<S: Equations<T> + ?Sized, T: Scalar> Projecting<T> for SystemOf<'_, S, T> {
+impl<K: Eliminating<T>, T: Scalar> Projecting<T> for SystemOf<K, T> {
     /// Derivatives follow the rows, too.
     fn project(&mut self, t: f64, q: &mut [T], v: &mut [T]) -> Result<(), MotionError> {
         let n_h = self.info.n_position_rows;
         body_kind::normalize(&self.info.kinds, q);
         let mut passes = 0;
         loop {
-            let Self { scene, fixed, residual, .. } = self;
-            T::in_widest(
-                #[inline(always)]
-                || scene.position_constraint(fixed, T::from_f64(t), q, &mut residual[..n_h]),
-            );
+            let time = self.time(t);
+            self.kernels.position_constraint(&self.fixed, time, q, &mut self.residual[..n_h]);
             let (residual, tolerance) = (largest(&self.residual[..n_h]), tolerance_at(largest(q)));
             if residual <= tolerance {
                 break;
@@ -171,11 +251,8 @@ impl<S: Equations<T> + ?Sized, T: Scalar> Projecting<T> for SystemOf<'_, S, T> {
             body_kind::retract(&self.info.kinds, q, &self.delta);
             passes += 1;
         }
-        let Self { scene, fixed, residual, .. } = self;
-        T::in_widest(
-            #[inline(always)]
-            || scene.velocity_constraint(fixed, T::from_f64(t), q, v, residual),
-        );
+        let time = self.time(t);
+        self.kernels.velocity_constraint(&self.fixed, time, q, v, &mut self.residual);
         self.correct(t, q)?;
         v.iter_mut().zip(&self.delta).for_each(|(v, delta)| *v = *v + *delta);
         Ok(())

@@ -81,11 +81,11 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
 
     /// What G says about its rows; none in a system too large to tell, or where G is not finite.
     pub(super) fn rank(self, independent: Independent<'_>) -> Option<&'c RankRevealing> {
-        let System { scene, info, fixed, mass, geometry, active, factors, buffers, .. } = self.system;
+        let System { scene, info, fixed, mass, geometry, active, factors, buffers, sines, .. } = self.system;
         if info.n_unknowns() > LARGEST_DIAGNOSED {
             return None;
         }
-        scene.velocity_jacobian(fixed, self.t, self.q, &mut buffers.jacobian);
+        scene.velocity_jacobian_with_sines(fixed, self.t, self.q, sines.at(self.q), &mut buffers.jacobian);
         let rank = factors
             .rank
             .get_or_insert_with(|| Box::new(RankRevealing::new(info.n_rows(), info.n_velocities(), &info.jacobian)));
@@ -155,10 +155,11 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         if self.system.factors.are_of(t, q, rows) {
             return Ok(());
         }
-        let System { scene, info, fixed, mass, geometry, solver, active, factors, counters, .. } = &mut *self.system;
+        let System { scene, info, fixed, mass, geometry, solver, active, factors, counters, sines, .. } =
+            &mut *self.system;
         factors.forget();
         counters.factorizations += 1;
-        scene.velocity_jacobian(fixed, t, q, &mut factors.jacobian);
+        scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut factors.jacobian);
         let mut vanished = None;
         let mut made = Made::Dense;
         if let Solver::Sparse(kkt) = solver

@@ -25,8 +25,8 @@ impl<P: SceneRef> Diagnosis<'_, P> {
 
     /// How well K can be solved with at a state, by an estimator for this scene.
     pub(crate) fn conditioning(&mut self, t: f64, q: &[f64], estimator: &mut ConditionEstimator) -> Conditioning {
-        let System { scene, info, fixed, mass, active, buffers, .. } = &mut *self.system;
-        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
+        let System { scene, info, fixed, mass, active, buffers, sines, .. } = &mut *self.system;
+        scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut buffers.jacobian);
         estimator.estimate(mass, &info.jacobian, &buffers.jacobian, active.off())
     }
 

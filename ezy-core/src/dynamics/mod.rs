@@ -31,6 +31,7 @@ mod rank;
 mod remembered;
 mod residual;
 mod row;
+mod sines;
 mod singular_position;
 mod solved;
 mod start;
@@ -42,9 +43,7 @@ mod tolerances;
 mod with_derivatives;
 mod worst;
 
-#[cfg(feature = "sweep")]
-pub(crate) use any::check_pivots;
-pub(crate) use any::{Dynamics, Projecting, SystemOf};
+pub(crate) use any::{Dynamics, InLanes, Projecting, SystemOf};
 pub(crate) use configuration::Configuration;
 pub(crate) use eight_states::EightStates;
 pub use error::{MotionError, StartError, SystemError};

@@ -129,16 +129,16 @@ impl<P: SceneRef> System<P> {
 impl<P: SceneRef> Projector<'_, P> {
     /// The position constraint that is farthest from being met, m or rad.
     pub(crate) fn worst_position(&mut self, t: f64, q: &[f64]) -> Worst {
-        let System { scene, info, fixed, buffers, .. } = &mut *self.system;
+        let System { scene, info, fixed, buffers, sines, .. } = &mut *self.system;
         let residual = &mut buffers.residual[..info.n_position_rows];
-        scene.position_constraint(fixed, t, q, residual);
+        scene.position_constraint_with_sines(fixed, t, q, sines.at(q), residual);
         Worst::of(residual)
     }
 
     /// The row that is farthest from being met at velocity level, m/s or rad/s.
     pub(crate) fn worst_velocity(&mut self, t: f64, q: &[f64], v: &[f64]) -> Worst {
-        let System { scene, fixed, buffers, .. } = &mut *self.system;
-        scene.velocity_constraint(fixed, t, q, v, &mut buffers.residual);
+        let System { scene, fixed, buffers, sines, .. } = &mut *self.system;
+        scene.velocity_constraint_with_sines(fixed, t, q, v, sines.at(q), &mut buffers.residual);
         Worst::of(&buffers.residual)
     }
 
@@ -258,7 +258,8 @@ impl<P: SceneRef> Projector<'_, P> {
     /// Rounding that coordinates leave in the position constraints: of each one, by its slope. A rate of 1e4 rad/s makes large
     /// angles, but on short levers.
     fn rounding(&mut self, t: f64, q: &[f64]) -> f64 {
-        self.system.scene.velocity_jacobian(&self.system.fixed, t, q, &mut self.system.buffers.jacobian);
+        let System { scene, fixed, buffers, sines, .. } = &mut *self.system;
+        scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut buffers.jacobian);
         let Buffers { jacobian, sums: rows, .. } = &mut self.system.buffers;
         rows.fill(0.0);
         let moved = body_kind::coordinates_moved(&self.system.info.kinds, self.system.info.n_velocities());
@@ -376,8 +377,8 @@ impl<P: SceneRef> Projector<'_, P> {
         delta: &mut [f64],
     ) -> Result<Solved, MotionError> {
         self.system.counters.factorizations += 1;
-        let System { scene, info, fixed, geometry, active, buffers, euclidean, .. } = &mut *self.system;
-        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
+        let System { scene, info, fixed, geometry, active, buffers, euclidean, sines, .. } = &mut *self.system;
+        scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut buffers.jacobian);
         let euclidean = Euclidean::of(euclidean, info, &geometry.units)?;
         let solved = euclidean.correction(&buffers.jacobian, residual, active.off(), delta);
         solved.ok_or(MotionError::NotFinite { t, quantity: "the constraint Jacobian".into() })

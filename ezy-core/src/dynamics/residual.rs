@@ -55,13 +55,14 @@ impl<P: SceneRef> Configuration<'_, P> {
     /// Less than that of the accelerations; no factorisation, no allocation.
     pub(crate) fn residual(&mut self, v: &[f64], a: &[f64], lambda: &[f64], rates: &[f64], out: &mut [f64]) {
         let (t, q) = (self.t, self.q);
-        let System { scene, info, fixed, mass, buffers, counters, .. } = &mut *self.system;
+        let System { scene, info, fixed, mass, buffers, counters, sines, .. } = &mut *self.system;
         counters.evaluations += 1;
         let (forces, rest) = out.split_at_mut(q.len());
         let (rows, states) = rest.split_at_mut(lambda.len());
-        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
-        scene.applied_force(fixed, t, q, v, forces);
-        scene.convective_term(fixed, t, q, v, rows);
+        let sines = sines.at(q);
+        scene.velocity_jacobian_with_sines(fixed, t, q, sines, &mut buffers.jacobian);
+        scene.applied_force_with_sines(fixed, t, q, v, sines, forces);
+        scene.convective_term_with_sines(fixed, t, q, v, sines, rows);
         for ((force, m), a) in forces.iter_mut().zip(mass.iter()).zip(a) {
             *force -= m * a;
         }
@@ -82,10 +83,10 @@ impl<P: SceneRef> Configuration<'_, P> {
 
     /// Jacobians of [`Configuration::residual`] at fixed accelerations and multipliers, and G. Where a law has no derivative, such as `norm(v)` at rest,
     /// entries are zero: a method that solves by Jacobians checks its solution by the residual.
-    pub(crate) fn jacobians(&self, v: &[f64], a: &[f64], lambda: &[f64], out: &mut Jacobians) {
-        let (t, q, System { scene, fixed, .. }) = (self.t, self.q, &*self.system);
+    pub(crate) fn jacobians(&mut self, v: &[f64], a: &[f64], lambda: &[f64], out: &mut Jacobians) {
+        let (t, q, System { scene, fixed, sines, .. }) = (self.t, self.q, &mut *self.system);
         scene.jacobians(fixed, t, q, v, a, lambda, &mut out.by_q, &mut out.by_v);
-        scene.velocity_jacobian(fixed, t, q, &mut out.jacobian);
+        scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut out.jacobian);
         if !out.by_z.is_empty() {
             scene.state_jacobians(fixed, t, q, v, &mut out.by_z);
         }

@@ -32,9 +32,10 @@ impl<P: SceneRef> Diagnosis<'_, P> {
     /// the coordinates makes of the row.
     pub(crate) fn row_acceleration(&mut self, of: &SystemRow<'_>, a: &[f64]) -> (f64, f64) {
         let SystemRow { row, t, q, v } = *of;
-        let System { scene, info, fixed, buffers, .. } = &mut *self.system;
-        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
-        scene.convective_term(fixed, t, q, v, &mut buffers.residual);
+        let System { scene, info, fixed, buffers, sines, .. } = &mut *self.system;
+        let sines = sines.at(q);
+        scene.velocity_jacobian_with_sines(fixed, t, q, sines, &mut buffers.jacobian);
+        scene.convective_term_with_sines(fixed, t, q, v, sines, &mut buffers.residual);
         let places = info.jacobian.starts[row]..info.jacobian.starts[row + 1];
         let entries = places.map(|k| (buffers.jacobian[k], info.jacobian.columns[k]));
         let (mut acceleration, mut terms) = (buffers.residual[row], 0.0);

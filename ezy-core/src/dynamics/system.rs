@@ -6,6 +6,7 @@ use super::counters::Counters;
 use super::euclidean::Euclidean;
 use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
+use super::sines::Sines;
 use super::tolerances::backend::{FURTHEST_APART, LARGEST_FOR_LIGHT, LIGHTEST, RANGE};
 use crate::linalg::{Backend, HAS_SPARSE, KktFactorization, LARGEST_DENSE, SparseKkt, by_joints};
 use crate::model::body_kind;
@@ -31,6 +32,7 @@ pub struct System<P: SceneRef> {
     pub(super) solver: Solver,
     pub(super) active: ActiveSet,
     pub(super) factors: Factors,
+    pub(super) sines: Sines,
     /// Made at the first Euclidean correction.
     pub(super) euclidean: Option<Box<Euclidean>>,
     pub(super) buffers: Buffers,
@@ -98,6 +100,7 @@ impl<P: SceneRef> System<P> {
         if !info.switches.is_empty() {
             scene.constants(parameters, &mut fixed);
         }
+        let takes_sines = scene.takes_sines();
         let needs_pivots = is_out_of_range || geometry.lightness(&mass) < LIGHTEST;
         Ok(Self {
             scene,
@@ -105,6 +108,7 @@ impl<P: SceneRef> System<P> {
             geometry,
             active,
             factors: Factors::new([n_q, n_v], n_c, jacobian.clone()),
+            sines: Sines::new(n_q, takes_sines),
             fixed,
             integrated,
             mass,

@@ -2,6 +2,7 @@
 //! `body_kind.rs`.
 
 use super::BodyKind;
+use crate::scalar::Scalar;
 
 /// A planar body has x, y and φ, which stand together.
 pub(crate) const N_OF_BODY: usize = BodyKind::Planar.positions().len();
@@ -29,4 +30,15 @@ pub(crate) const fn body_and_component(coordinate: usize) -> (usize, usize) {
 /// Whether a coordinate is an angle; the others are lengths.
 pub(crate) const fn is_angle(coordinate: usize) -> bool {
     body_and_component(coordinate).1 == 2
+}
+
+/// Sine and cosine of the angle of each planar body.
+pub fn sines<T: Scalar>(q: &[T]) -> Vec<[T; 2]> {
+    q.as_chunks().0.iter().map(sine_and_cosine).collect()
+}
+
+/// Of the angle of one body.
+#[inline]
+pub(crate) fn sine_and_cosine<T: Scalar>([_, _, phi]: &[T; N_OF_BODY]) -> [T; 2] {
+    phi.sin_cos().into()
 }

@@ -31,6 +31,42 @@ pub trait Equations<T: Scalar>: Send + Sync {
     /// F. Writes `n_q`.
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]);
 
+    /// Whether kernels take sines and cosines of the angles of all bodies, [sin φ, cos φ] of one after the other, so that those of a configuration
+    /// are computed once: in scenes with counts. Kernels of other scenes call one sine an angle by themselves.
+    fn takes_sines(&self) -> bool {
+        false
+    }
+
+    /// As [`Equations::position_constraint`], with sine and cosine of the angle of each body where [`Equations::takes_sines`].
+    fn position_constraint_with_sines(&self, c: &[T], t: T, q: &[T], sines: &[[T; 2]], out: &mut [T]) {
+        let _ = sines;
+        self.position_constraint(c, t, q, out);
+    }
+
+    /// As [`Equations::velocity_constraint`], with sine and cosine of the angle of each body where [`Equations::takes_sines`].
+    fn velocity_constraint_with_sines(&self, c: &[T], t: T, q: &[T], v: &[T], sines: &[[T; 2]], out: &mut [T]) {
+        let _ = sines;
+        self.velocity_constraint(c, t, q, v, out);
+    }
+
+    /// As [`Equations::velocity_jacobian`], with sine and cosine of the angle of each body where [`Equations::takes_sines`].
+    fn velocity_jacobian_with_sines(&self, c: &[T], t: T, q: &[T], sines: &[[T; 2]], out: &mut [T]) {
+        let _ = sines;
+        self.velocity_jacobian(c, t, q, out);
+    }
+
+    /// As [`Equations::convective_term`], with sine and cosine of the angle of each body where [`Equations::takes_sines`].
+    fn convective_term_with_sines(&self, c: &[T], t: T, q: &[T], v: &[T], sines: &[[T; 2]], out: &mut [T]) {
+        let _ = sines;
+        self.convective_term(c, t, q, v, out);
+    }
+
+    /// As [`Equations::applied_force`], with sine and cosine of the angle of each body where [`Equations::takes_sines`].
+    fn applied_force_with_sines(&self, c: &[T], t: T, q: &[T], v: &[T], sines: &[[T; 2]], out: &mut [T]) {
+        let _ = sines;
+        self.applied_force(c, t, q, v, out);
+    }
+
     /// Rates of the first-order states, in their units over s. Writes `n_z`; nothing in a scene without any.
     fn state_rates(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
         let _ = (c, t, q, v, out);

@@ -9,9 +9,10 @@ pub(crate) const N_LANES: usize = 8;
 /// Eight numbers, one a state.
 pub(crate) type Eight = Lanes<N_LANES>;
 
-/// Kernels of a scene with a generated elimination, at eight states at once, in the widest vector registers of the machine.
+/// Kernels of a scene with a generated elimination, at eight states at once, in the widest vector registers of the machine. Arguments and shapes
+/// are those of [`Equations`], with a time for each state.
 pub trait EquationsInLanes: Send + Sync {
-    /// [`Equations::accelerations`] at eight states and times.
+    /// [`Equations::accelerations`].
     fn accelerations_in_lanes(
         &self,
         c: &[Eight],
@@ -20,6 +21,22 @@ pub trait EquationsInLanes: Send + Sync {
         v: &[Eight],
         a: &mut [Eight],
         lambda: &mut [Eight],
+    ) -> Pivots;
+
+    /// [`Equations::position_constraint`].
+    fn position_constraint_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], out: &mut [Eight]);
+
+    /// [`Equations::velocity_constraint`].
+    fn velocity_constraint_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], v: &[Eight], out: &mut [Eight]);
+
+    /// [`Equations::correction`].
+    fn correction_in_lanes(
+        &self,
+        c: &[Eight],
+        t: &Eight,
+        q: &[Eight],
+        residual: &[Eight],
+        delta: &mut [Eight],
     ) -> Pivots;
 }
 
@@ -36,6 +53,34 @@ impl<S: Equations<Eight>> EquationsInLanes for S {
         in_widest(
             #[inline(always)]
             || self.accelerations(c, *t, q, v, a, lambda),
+        )
+    }
+
+    fn position_constraint_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], out: &mut [Eight]) {
+        in_widest(
+            #[inline(always)]
+            || self.position_constraint(c, *t, q, out),
+        );
+    }
+
+    fn velocity_constraint_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], v: &[Eight], out: &mut [Eight]) {
+        in_widest(
+            #[inline(always)]
+            || self.velocity_constraint(c, *t, q, v, out),
+        );
+    }
+
+    fn correction_in_lanes(
+        &self,
+        c: &[Eight],
+        t: &Eight,
+        q: &[Eight],
+        residual: &[Eight],
+        delta: &mut [Eight],
+    ) -> Pivots {
+        in_widest(
+            #[inline(always)]
+            || self.correction(c, *t, q, residual, delta),
         )
     }
 }

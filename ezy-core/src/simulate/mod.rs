@@ -30,6 +30,7 @@ pub(crate) use monitor::processor_time::{IS_KNOWN as PROCESSOR_TIME_IS_KNOWN, pr
 pub use monitor::rank_watch::{RankDeficientInterval, RankRecord};
 pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, LeastPivot, Monitors, Peak};
 pub use outcome::{Cost, Outcome, Run, StopReason};
+pub use several::eight_steppers::{EightSteppers, NotTogether};
 pub use several::ensemble::Ensemble;
 pub use several::sensitivity::{Sensitivities, Tangent};
 #[cfg(feature = "sweep")]

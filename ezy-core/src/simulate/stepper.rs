@@ -53,10 +53,10 @@ use std::sync::Arc;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Stepper<'s, P: SceneRef> {
-    stepper: StepperState<P>,
-    control: Control<'s>,
-    solver: Solver,
-    step_s: f64,
+    pub(super) stepper: StepperState<P>,
+    pub(super) control: Control<'s>,
+    pub(super) solver: Solver,
+    pub(super) step_s: f64,
     starts: Starts,
     /// Steps since the start.
     n_steps: u64,
@@ -232,6 +232,16 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
             self.n_steps += 1;
         }
         Ok(())
+    }
+
+    /// Moves on by `n` steps that something else took, to the positions and velocities that it writes.
+    pub(super) fn go_on(&mut self, n: u64, write: impl FnOnce(&mut [f64], &mut [f64])) {
+        self.n_steps += n;
+        let State { t, q, v, .. } = &mut self.stepper.now.state;
+        write(q, v);
+        *t = self.start_s + self.n_steps as f64 * self.step_s;
+        self.stepper.restart();
+        self.evaluated = false;
     }
 
     fn evaluate(&mut self) -> Result<(), MotionError> {

@@ -34,6 +34,21 @@ model! {
     }
 }
 
+model! {
+    /// Sledges in a row, which hinges and springs join.
+    pub model Sledges {
+        count n = 4;
+        body sledge[n] { mass: 2, inertia: 1/3 }
+        for i in 1..n {
+            hinge pin[i]: sledge[i-1](0.5, 0.1) ~ sledge[i](-0.5, 0);
+            spring sledge[i-1](0.2, 0.3) ~ sledge[i](0, 0.4): stiffness 30, length 0.5, damping 2;
+        }
+        for i in 0..n { skate runner[i]: at sledge[i](0.1, 0) along sledge[i](1, 0); }
+        start row { sledge[0] at (0, 0); for i in 0..n { sledge[i] angle 0; } at rest; }
+        scene slide { start row; until 1 s; }
+    }
+}
+
 /// Of four evaluations a step, of numbers up to 70 (the force of the top hinge, N), if all of it adds up.
 const ROUNDING: f64 = 4.0 * 100.0 * 70.0 * f64::EPSILON;
 
@@ -52,6 +67,47 @@ fn cross_chain_of_an_array_moves_as_written_out() {
             assert!((found - expected).abs() <= ROUNDING, "{found} {expected}");
         }
     }
+}
+
+/// Of angles that are only turned kernels read the table: with that of other angles they give what they give there.
+#[test]
+fn cross_kernels_of_a_scene_with_counts_take_sines_from_a_table() {
+    let scene = sledges::Slide::default();
+    let system = system_of(&scene, Backend::Auto).unwrap();
+    let (scene, c): (&dyn Equations<f64>, _) = (&scene, system.fixed());
+    assert!(scene.takes_sines());
+    let info = system.info();
+    let number = |i: usize| (1.7 * i as f64).sin();
+    let (q, v): (Vec<f64>, Vec<f64>) = (0..12).map(|i| (number(i), number(i + 20))).unzip();
+    let table: Vec<[f64; 2]> = q.chunks(3).map(|body| body[2].sin_cos().into()).collect();
+    let mut without_angles = q.clone();
+    without_angles.chunks_mut(3).for_each(|body| body[2] = f64::NAN);
+    let written = |n: usize, write: &dyn Fn(&mut [f64])| {
+        let mut out = vec![f64::NAN; n];
+        write(&mut out);
+        assert!(out.iter().all(|x| x.is_finite()), "{out:?}");
+        out
+    };
+    let [n_h, n_c, n_g] = [info.n_position_rows, info.n_rows(), info.jacobian.n_nonzeros()];
+    let x = &without_angles[..];
+    let found = [
+        written(n_h, &|out| scene.position_constraint_with_sines(c, 0.0, x, &table, out)),
+        written(n_c, &|out| scene.velocity_constraint_with_sines(c, 0.0, x, &v, &table, out)),
+        written(n_g, &|out| scene.velocity_jacobian_with_sines(c, 0.0, x, &table, out)),
+        written(n_c, &|out| scene.convective_term_with_sines(c, 0.0, x, &v, &table, out)),
+        written(12, &|out| scene.applied_force_with_sines(c, 0.0, x, &v, &table, out)),
+    ];
+    let expected = [
+        written(n_h, &|out| scene.position_constraint(c, 0.0, &q, out)),
+        written(n_c, &|out| scene.velocity_constraint(c, 0.0, &q, &v, out)),
+        written(n_g, &|out| scene.velocity_jacobian(c, 0.0, &q, out)),
+        written(n_c, &|out| scene.convective_term(c, 0.0, &q, &v, out)),
+        written(12, &|out| scene.applied_force(c, 0.0, &q, &v, out)),
+    ];
+    assert_eq!(found, expected);
+    // a scene without counts calls its own
+    let scene = three_rods::Swing::default();
+    assert!(!Equations::<f64>::takes_sines(&scene));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::events::pendulum;
 use super::singular::parallelogram;
+use super::states::cruise;
 use crate::{simulation, system_of};
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::{Equations, Start};
@@ -146,6 +147,104 @@ fn fd_derivatives_of_a_pendulum_follow_its_hinge() {
         let expected = difference(by);
         assert!(found.iter().zip(&expected).all(|(x, y)| (x - y).abs() <= 1e-7), "{by:?}: {found:?} {expected:?}");
     }
+}
+
+model! {
+    /// Two rods on a pivot that is driven sideways, with a torque from outside.
+    pub model Driven {
+        param l: m = 1;
+        param g: m/s^2 = 9.81;
+        input push: N*m = 0.5;
+        body upper { mass: 1, inertia: 1/12 }
+        body lower { mass: 2, inertia: 1/6 }
+        hinge pin: upper(l/2, 0) ~ lower(-1/2, 0);
+        constraint pivot_x: upper.x - l/2*cos(upper.phi) = 0.1*sin(3*t);
+        constraint pivot_y: upper.y - l/2*sin(upper.phi) = 0;
+        gravity (0, -g);
+        torque lower: push*cos(t);
+        output height: m = lower.y;
+        start aside { upper angle 0.3; lower angle -0.4; upper rate 1; lower rate 0; }
+        scene swings { start aside; until 2 s; }
+    }
+}
+
+/// With lengths, inputs, starts and times of their own, of one, three and eight; but for what projections leave, 1e-12 of a row in each of a
+/// hundred steps.
+#[test]
+fn cross_eight_steppers_are_single_ones() {
+    for n in [1, 3, 8] {
+        let scenes: Vec<_> = (0..n).map(|i| driven::Swings { l: 1.0 + 0.1 * i as f64, g: 9.81 }).collect();
+        let stepper = |scene: &driven::Swings| {
+            let scene: std::sync::Arc<dyn Scene> = std::sync::Arc::new(driven::Swings { ..*scene });
+            Simulation::new(scene).method(Method::rk4(2e-3)).stepper().unwrap()
+        };
+        let [mut ones, mut together] = [(); 2].map(|()| scenes.iter().map(stepper).collect::<Vec<_>>());
+        let mut lanes = EightSteppers::new(&together.iter_mut().collect::<Vec<_>>()).unwrap();
+        for round in 0..3 {
+            for steppers in [&mut ones, &mut together] {
+                for (i, stepper) in steppers.iter_mut().enumerate() {
+                    stepper.inputs_mut()[0] = 0.3 * i as f64 - f64::from(round);
+                }
+                // times of their own
+                steppers[0].step(7).unwrap();
+            }
+            ones.iter_mut().for_each(|stepper| stepper.step(100).unwrap());
+            assert!(lanes.step(&mut together.iter_mut().collect::<Vec<_>>(), 100));
+            for (one, other) in ones.iter_mut().zip(&mut together) {
+                let (a, b) = (one.state().clone(), other.state().clone());
+                assert_eq!(a.t, b.t);
+                for (x, y) in a.q.iter().chain(&a.v).zip(b.q.iter().chain(&b.v)) {
+                    assert!((x - y).abs() <= 1e-10 * x.abs().max(1.0), "{n} {round}: {x} {y}");
+                }
+                assert!((one.outputs()[0] - other.outputs()[0]).abs() <= 1e-10);
+            }
+            // one of them begins again
+            for steppers in [&mut ones, &mut together] {
+                steppers[n - 1].reset_with(&[("upper.phi", 0.1 * f64::from(round))]).unwrap();
+            }
+        }
+    }
+}
+
+/// Numbers that are not finite, a parallelogram that comes to lie on a line, and what has to be located: the steppers are where they were.
+#[test]
+fn invariant_eight_steppers_leave_undone_what_they_cannot() {
+    let scene = driven::Swings::default();
+    let mut stepper = Simulation::new(&scene).method(Method::rk4(2e-3)).stepper().unwrap();
+    let mut lanes = EightSteppers::new(&[&mut stepper]).unwrap();
+    stepper.inputs_mut()[0] = f64::NAN;
+    let before = stepper.state().clone();
+    assert!(!lanes.step(&mut [&mut stepper], 3) && *stepper.state() == before && stepper.step(1).is_err());
+    stepper.inputs_mut()[0] = 0.0;
+    assert!(!lanes.step(&mut [], 3) && lanes.step(&mut [&mut stepper], 3));
+
+    let scene = parallelogram::Falls::default();
+    let order = || Simulation::new(&scene).method(Method::rk4(1e-3));
+    let (mut alone, mut stepper) = (order().stepper().unwrap(), order().stepper().unwrap());
+    let mut lanes = EightSteppers::new(&[&mut stepper]).unwrap();
+    let mut n_undone = 0;
+    for _ in 0..200 {
+        let before = stepper.state().clone();
+        if !lanes.step(&mut [&mut stepper], 10) {
+            assert_eq!(*stepper.state(), before);
+            n_undone += 1;
+            stepper.step(10).unwrap();
+        }
+        alone.step(10).unwrap();
+    }
+    assert!(n_undone > 0);
+    let error =
+        |steppers: &mut Stepper<'_, &parallelogram::Falls>| steppers.energy().kinetic + steppers.energy().potential;
+    assert!((error(&mut alone) - error(&mut stepper)).abs() <= 1e-6);
+
+    let scene = spring::Swings::default();
+    let mut other = Simulation::new(&scene).method(Method::midpoint(1e-3)).stepper().unwrap();
+    let why = EightSteppers::new(&[&mut other]).err().unwrap().to_string();
+    assert!(why.contains("by rk4 with one step"), "{why}");
+    let scene = cruise::Cruises::default();
+    let mut states = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
+    let why = EightSteppers::new(&[&mut states]).err().unwrap().to_string();
+    assert!(why.contains("first-order states"), "{why}");
 }
 
 /// In lanes the elimination alone solves: where a pivot of it vanishes, the row is named.

@@ -68,15 +68,16 @@ impl ToTokens for Expression {
 }
 
 /// Writes a program, with coordinates and velocities at the indices that `place` says; `other` says where inputs besides those
-/// and time are found.
+/// and time are found, `sines` where sine and cosine of a coordinate stand if they are known.
 pub fn body(
     numbers: Numbers,
     program: &Program,
     vocabulary: Vocabulary<'_>,
     place: &dyn Fn(usize) -> TokenStream,
     other: &dyn Fn(Symbol) -> TokenStream,
+    sines: &dyn Fn(usize) -> Option<TokenStream>,
 ) -> Body {
-    let (live, sources) = (program.live(), Sources { place, other });
+    let (live, sources) = (program.live(), Sources { place, other, sines });
     let in_one = Writing::new(numbers, program, &live, vocabulary.outputs_early);
     let is_long = live.iter().filter(|&&id| in_one.is_statement(id)).count() > LONGEST_WHOLE;
     let writing = if is_long { Writing::new(numbers, program, &live, true) } else { in_one };
@@ -96,6 +97,7 @@ struct Sources<'a> {
     /// Coordinates and velocities.
     place: &'a dyn Fn(usize) -> TokenStream,
     other: &'a dyn Fn(Symbol) -> TokenStream,
+    sines: &'a dyn Fn(usize) -> Option<TokenStream>,
 }
 
 struct Writer<'a> {
@@ -155,6 +157,10 @@ impl Writer<'_> {
                 let place = self.vocabulary.constants.place(*i);
                 quote!(c[#place])
             }
+            Node::Input(_) if self.is_only_turned(id) => {
+                self.declare(id, self.suggestion(id));
+                return TokenStream::new();
+            }
             Node::Input(symbol) => match self.vocabulary.symbols.meaning(*symbol) {
                 Meaning::Time => {
                     self.names.insert(id, Ident::new("t", Span::call_site()));
@@ -178,6 +184,20 @@ impl Writer<'_> {
         quote!(let #name = #value;)
     }
 
+    /// Where sine and cosine of an angle stand, if they are known.
+    fn known_sines(&self, angle: NodeId) -> Option<TokenStream> {
+        let Node::Input(symbol) = self.program.node(angle) else { return None };
+        let Meaning::Coordinate(i) = self.vocabulary.symbols.meaning(*symbol) else { return None };
+        (self.sources.sines)(i)
+    }
+
+    /// Whether it is an angle of which sine and cosine are known, and nothing else is read.
+    fn is_only_turned(&self, id: NodeId) -> bool {
+        let reads = |user: &Node| !matches!(user, Node::Sin(_) | Node::Cos(_)) && user.operands().contains(&id);
+        let is_output = || self.program.outputs().iter().any(|output| output.node == id);
+        self.known_sines(id).is_some() && !self.live.iter().any(|&user| reads(self.program.node(user))) && !is_output()
+    }
+
     /// One call for a sine and cosine of the same angle.
     fn trigonometry(&mut self, id: NodeId, angle: NodeId) -> TokenStream {
         if self.names.contains_key(&id) {
@@ -186,6 +206,14 @@ impl Writer<'_> {
         let (sin, cos) = (self.find(&Node::Sin(angle)), self.find(&Node::Cos(angle)));
         let (number, argument) = (self.numbers.name(), self.operand(angle));
         let label = self.label(angle).filter(|label| label.len() < LONGEST_NAME).unwrap_or_else(|| angle.0.to_string());
+        if let Some(known) = self.known_sines(angle) {
+            let mut name = |node: Option<NodeId>, function| match node {
+                Some(node) => self.declare(node, format!("{function}_{label}")).into_token_stream(),
+                None => quote!(_),
+            };
+            let (sin, cos) = (name(sin, "sin"), name(cos, "cos"));
+            return quote!(let [#sin, #cos] = #known;);
+        }
         match (sin, cos) {
             (Some(sin), Some(cos)) => {
                 let sin = self.declare(sin, format!("sin_{label}"));

@@ -15,8 +15,10 @@ use super::parts::sequence;
 use super::places::{Array, Lengths, OF_SERIES, Places, counter, firsts, slot_places};
 use super::signature::{Order, Signature, Writes, argument, give};
 use crate::mechanics::kernels::{Entries, Kernel, Pass, Put, Quantity, Read, Slot};
+use crate::mechanics::symbols::Meaning;
 use crate::model::Model;
 use crate::symbolic::Symbol;
+use crate::symbolic::program::{Node, Program};
 
 /// A kernel and the method that it becomes.
 #[derive(Clone, Copy)]
@@ -100,6 +102,22 @@ impl Method<'_> {
         quote!(#firsts #members #opening #counters #(#passes)* #result)
     }
 
+    /// Whether a kernel of a scene with counts reads sines of the angles of its bodies.
+    pub fn reads_sines(self) -> bool {
+        let is_angle = |program: &Program, id| match program.node(id) {
+            Node::Input(symbol) => matches!(self.vocabulary.symbols.meaning(*symbol), Meaning::Coordinate(_)),
+            _ => false,
+        };
+        let mut passes = self.kernel.passes.iter().map(|pass| &pass.program);
+        self.signature.with_sines().is_some()
+            && passes.any(|program| {
+                program.live().into_iter().any(|id| match program.node(id) {
+                    Node::Sin(angle) | Node::Cos(angle) => is_angle(program, *angle),
+                    _ => false,
+                })
+            })
+    }
+
     /// The counters that some pass moves on.
     fn counters(self) -> TokenStream {
         let vectors = self.signature.writes.vectors().iter().enumerate();
@@ -139,7 +157,8 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn body(&self) -> Body {
         let (numbers, place) = (self.of.signature.numbers(), |i| self.places.index(Entries::Coordinates, i));
-        kernel::body(numbers, &self.pass.program, self.of.vocabulary, &place, &|symbol| self.read(symbol))
+        let sines = |i| self.of.signature.with_sines().and_then(|_| self.places.sines(i));
+        kernel::body(numbers, &self.pass.program, self.of.vocabulary, &place, &|symbol| self.read(symbol), &sines)
     }
 
     fn straight(&self, lengths: &Lengths) -> TokenStream {

@@ -33,6 +33,14 @@ impl Places<'_> {
         }
     }
 
+    /// Sine and cosine of an angle, where a table has those of all bodies.
+    pub fn sines(self, i: usize) -> Option<TokenStream> {
+        let Self::Member(slots) = self else { return None };
+        let slot = Literal::usize_unsuffixed(place_of_slot(slots, Coordinate::at(i).body));
+        let n = Literal::usize_unsuffixed(Component::ALL.len());
+        Some(quote!(sines[slots[#slot] / #n]))
+    }
+
     /// A number in the storage of a series, or an order as a number.
     pub fn stored(self, slot: Stored, order: Order) -> TokenStream {
         let Some((array, i)) = Array::of(slot) else {
@@ -217,10 +225,14 @@ pub fn slot_places(model: &Model, slots: &[BodyId]) -> TokenStream {
     quote!(let slots: [usize; #n] = [#(#places),*];)
 }
 
+fn place_of_slot(slots: &[BodyId], body: BodyId) -> usize {
+    slots.iter().position(|slot| *slot == body).unwrap_or(0)
+}
+
 /// Place in q of a coordinate of a slot.
 pub fn coordinate(slots: &[BodyId], i: usize) -> TokenStream {
     let Coordinate { body, component } = Coordinate::at(i);
-    let slot = slots.iter().position(|slot| *slot == body).unwrap_or(0);
+    let slot = place_of_slot(slots, body);
     let [slot, component] = [slot, component as usize].map(Literal::usize_unsuffixed);
     quote!(slots[#slot] + #component)
 }

@@ -119,21 +119,35 @@ fn describe(model: &Model, derived: &Derived<'_>, constants: &Constants<'_>, typ
 fn methods(model: &Model, derived: &Derived<'_>, vocabulary: Vocabulary<'_>, of: Trait) -> TokenStream {
     let of_trait = signature::ALL.iter().filter(|signature| signature.of == of);
     let kernels = of_trait.filter_map(|signature| Some((signature, derived.kernels.get(&signature.quantity)?)));
-    let methods = kernels.map(|(signature, kernel)| {
-        let method = Method { model, vocabulary, signature, kernel };
-        let body = match &derived.form {
-            Form::Straight(of) => method.straight(&Lengths::new(derived, of)),
-            Form::Counted(_) => method.looped(),
-        };
-        let places = match signature.quantity {
-            Quantity::Jacobians => Some(jacobian_places(model, derived)),
-            Quantity::StateJacobians => Some(state_jacobian_places(model, derived)),
-            _ => None,
-        };
-        let method = signature.method(body, matches!(derived.form, Form::Straight(_)));
-        quote!(#places #method)
+    let mut takes_sines = false;
+    let methods: TokenStream = kernels
+        .map(|(signature, kernel)| {
+            let method = Method { model, vocabulary, signature, kernel };
+            let body = match &derived.form {
+                Form::Straight(of) => method.straight(&Lengths::new(derived, of)),
+                Form::Counted(_) if method.reads_sines() => {
+                    takes_sines = true;
+                    return signature.methods_with_sines(&method.looped());
+                }
+                Form::Counted(_) => method.looped(),
+            };
+            let places = match signature.quantity {
+                Quantity::Jacobians => Some(jacobian_places(model, derived)),
+                Quantity::StateJacobians => Some(state_jacobian_places(model, derived)),
+                _ => None,
+            };
+            let method = signature.method(body, matches!(derived.form, Form::Straight(_)));
+            quote!(#places #method)
+        })
+        .collect();
+    let takes_sines = takes_sines.then(|| {
+        quote!(
+            fn takes_sines(&self) -> bool {
+                true
+            }
+        )
     });
-    methods.collect()
+    quote!(#methods #takes_sines)
 }
 
 /// The method that says which Jacobians there are.

@@ -130,6 +130,33 @@ impl Signature {
         }
     }
 
+    /// The method that takes sines and cosines of the angles of all bodies, for what each step of a scene with counts computes.
+    pub fn with_sines(&self) -> Option<Ident> {
+        use Quantity::{AppliedForce, ConvectiveTerm, PositionConstraint, VelocityConstraint, VelocityJacobian};
+        let of_steps = [PositionConstraint, VelocityConstraint, VelocityJacobian, ConvectiveTerm, AppliedForce];
+        of_steps.contains(&self.quantity).then(|| argument(&format!("{}_with_sines", self.name)))
+    }
+
+    /// Both methods of a kernel that reads such sines: it takes them, or has them computed.
+    pub fn methods_with_sines(&self, body: &TokenStream) -> TokenStream {
+        let (name, with_sines) = (argument(self.name), self.with_sines());
+        let reads = || self.reads.iter().copied().map(argument);
+        let arguments = self.reads.iter().map(|&read| {
+            let name = argument(read);
+            if read == "t" { quote!(#name: T) } else { quote!(#name: &[T]) }
+        });
+        let arguments: Vec<TokenStream> = arguments.collect();
+        let given = reads();
+        quote! {
+            fn #with_sines(&self, c: &[T], #(#arguments,)* sines: &[[T; 2]], out: &mut [T]) {
+                #body
+            }
+            fn #name(&self, c: &[T], #(#arguments,)* out: &mut [T]) {
+                self.#with_sines(c, #(#given,)* &ezy::sines(q), out);
+            }
+        }
+    }
+
     /// The method around what it does. Orders of a series are computed by straight lines in one function.
     pub fn method(&self, body: TokenStream, is_straight: bool) -> TokenStream {
         let (name, number) = (argument(self.name), self.numbers().name());

@@ -42,6 +42,28 @@ def test_threads_do_not_change_the_bits(threads):
     assert np.array_equal(alone.q, together.q) and np.array_equal(alone.v, together.v)
 
 
+def test_lanes_have_the_numbers_of_steppers_but_for_the_projection():
+    """1e-12 of a row in each step; also with a member that is reset, and beside one that stops."""
+    one, eight = (batch(start={"bar.phi": ANGLES}, lanes=lanes) for lanes in (False, True))
+    for round in range(3):
+        for of in (one, eight):
+            of.reset([2], start={"bar.phi": [0.1 * round]})
+            of.step(50, torque=0.3 * ANGLES)
+        assert np.array_equal(one.t, eight.t)
+        assert np.abs(one.q - eight.q).max() < 1e-10 and np.abs(one.v - eight.v).max() < 1e-10
+    for of in (one, eight):
+        with pytest.raises(ezy.StoppedError, match="member 4"):
+            of.step(torque=np.where(np.arange(N) == 4, 1e300, 0))
+        of.step(20, torque=0)
+        assert list(of.stopped) == [4]
+    assert np.abs(one.q - eight.q).max() < 1e-10
+
+
+def test_scenes_that_do_not_step_in_lanes_say_why():
+    with pytest.raises(ezy.EzyError, match="by themselves"):
+        ezy.chain.swing().batch(4, STEP, lanes=True)
+
+
 def test_some_are_reset():
     of = batch(start={"bar.phi": ANGLES})
     of.step(5)

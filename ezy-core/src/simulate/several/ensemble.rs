@@ -44,7 +44,7 @@ use std::sync::Arc;
 /// # }
 /// ```
 pub struct Ensemble<'s, S, const L: usize> {
-    trajectory: Trajectory<SystemOf<'s, S, Lanes<L>>, Lanes<L>>,
+    trajectory: Trajectory<SystemOf<&'s S, Lanes<L>>, Lanes<L>>,
 }
 
 impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {

@@ -15,6 +15,7 @@ use crate::record::find_name;
 use crate::scalar::Dual;
 use crate::simulate::SetupError;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// Derivatives of a state by one quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,13 +65,13 @@ pub struct Sensitivities<'s, const N: usize> {
 
 /// A run with derivatives, whatever solves its equations.
 trait Carrying<const N: usize> {
-    fn advance(&mut self, until_s: f64) -> Result<(), MotionError>;
+    fn advance_unless(&mut self, until_s: f64, is_over: &AtomicBool) -> Result<(), MotionError>;
     fn now(&self) -> &State<Dual<N>>;
 }
 
 impl<D: Projecting<Dual<N>>, const N: usize> Carrying<N> for Trajectory<D, Dual<N>> {
-    fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
-        self.advance(until_s)
+    fn advance_unless(&mut self, until_s: f64, is_over: &AtomicBool) -> Result<(), MotionError> {
+        self.advance_unless(until_s, is_over)
     }
 
     fn now(&self) -> &State<Dual<N>> {
@@ -124,7 +125,15 @@ impl<'s, const N: usize> Sensitivities<'s, N> {
     /// # Errors
     /// [`MotionError`]; [`Sensitivities::state`] is then the last good state.
     pub fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
-        self.run.advance(until_s)
+        self.advance_unless(until_s, &AtomicBool::new(false))
+    }
+
+    /// The same, unless `is_over` is set on the way: the state is then that of the last step.
+    ///
+    /// # Errors
+    /// As [`Sensitivities::advance`].
+    pub fn advance_unless(&mut self, until_s: f64, is_over: &AtomicBool) -> Result<(), MotionError> {
+        self.run.advance_unless(until_s, is_over)
     }
 
     /// Where the run is, without works.

@@ -1,12 +1,12 @@
 //! Runs of one scene with parameters and starts of their own that step together, eight at once; only their ends are known.
 
 use super::trajectory::Trajectory;
-use crate::dynamics::{Dynamics, Metric, MotionError, Projecting, Projection, State, System, check_pivots};
+use crate::dynamics::{InLanes, Metric, Projection, State, System, SystemOf};
 use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::linalg::Backend;
-use crate::model::{Derived as _, Eight, EquationsInLanes, EventKind, N_LANES, Scene, SceneRef};
+use crate::model::{Derived as _, Eight, EventKind, Scene, SceneRef};
 use crate::record::Wanted;
-use crate::scalar::{Scalar, packed};
+use crate::scalar::packed;
 use crate::simulate::recording::sampler::Sampler;
 use crate::simulate::stepping::snapshot::Snapshot;
 use crate::simulate::tolerances::monitors::ATTEMPTS_OF_A_PACE;
@@ -106,7 +106,8 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
     if !runs.iter().all(is_same) {
         return Err("the eight have different times or tolerances");
     }
-    let (info, kernels) = (scene.info(), scene.in_lanes().ok_or(WITHOUT_ELIMINATION)?);
+    let info = scene.info();
+    scene.in_lanes().ok_or(WITHOUT_ELIMINATION)?;
     let mut systems = Vec::with_capacity(runs.len());
     for run in runs {
         let mut system = System::with_parameters(scene, &run.parameters, Backend::Auto).map_err(|_| CANNOT_START)?;
@@ -119,24 +120,25 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
     let q = packed(from_fn(|lane| &runs[of_run(lane)].start.q[..]));
     let v = packed(from_fn(|lane| &runs[of_run(lane)].start.v[..]));
     let start = State { t: first.start.t, q, v, z: Vec::new(), work: Vec::new() };
-    let (q, v) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_coordinates()]);
-    let together = Together { kernels, systems, fixed, q, v, first_pivot: None, is_near_singular: false };
+    let together = SystemOf::new(InLanes(scene), Arc::clone(&info), fixed);
     let mut trajectory =
         Trajectory::new(together, Arc::clone(&info), start, Method::default().with_tolerance(first.tolerance))
             .map_err(|_| CANNOT_START)?;
-    let mut n_steps = 0;
+    let (mut n_steps, mut first_pivot) = (0, None);
     while trajectory.now.t < first.until_s {
         let is_over = interrupts.iter().any(|flag| flag.load(Ordering::Relaxed));
         if is_over || n_steps == ATTEMPTS_OF_A_PACE {
             return Err("the eight take very many steps");
         }
         trajectory.step(first.until_s - trajectory.now.t, first.until_s).map_err(|_| STOPS)?;
-        if trajectory.system.is_near_singular {
+        // the first of them is that of the first step
+        let smallest = trajectory.system.smallest_pivot;
+        if smallest < TOO_NEAR * *first_pivot.get_or_insert(smallest) {
             return Err(STOPS);
         }
         n_steps += 1;
     }
-    let Trajectory { system: Together { systems, .. }, now, .. } = trajectory;
+    let now = trajectory.now;
     let end = |(lane, mut system): (usize, System<&'s S>)| {
         let mut at = Snapshot::zero(&info, false);
         let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
@@ -150,64 +152,4 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
         Some(End { numbers, t: now.t, points, n_steps })
     };
     systems.into_iter().enumerate().map(end).collect::<Option<_>>().ok_or(STOPS)
-}
-
-/// Eight runs: accelerations at once, by the elimination of the scene; projections one by one. Fewer runs than eight fill the rest with the
-/// last one.
-struct Together<'s, S: Scene + ?Sized> {
-    kernels: &'s dyn EquationsInLanes,
-    /// One a run.
-    systems: Vec<System<&'s S>>,
-    /// What kernels read as `c`.
-    fixed: Vec<Eight>,
-    q: Vec<f64>,
-    v: Vec<f64>,
-    /// The smallest pivot at the start.
-    first_pivot: Option<f64>,
-    /// Whether a run has come close to a singular position, where steps of another kind are needed.
-    is_near_singular: bool,
-}
-
-impl<S: Scene + ?Sized> Dynamics<Eight> for Together<'_, S> {
-    fn accelerations(
-        &mut self,
-        t: f64,
-        q: &[Eight],
-        v: &[Eight],
-        a: &mut [Eight],
-        lambda: &mut [Eight],
-    ) -> Result<(), MotionError> {
-        let pivots = self.kernels.accelerations_in_lanes(&self.fixed, &Eight::from_f64(t), q, v, a, lambda);
-        let smallest = pivots.smallest();
-        self.is_near_singular |= smallest < TOO_NEAR * *self.first_pivot.get_or_insert(smallest);
-        check_pivots(self.systems[0].info(), pivots, t)
-    }
-
-    fn position_rates(&self, _q: &[Eight], v: &[Eight], out: &mut [Eight]) {
-        out.copy_from_slice(v);
-    }
-
-    fn place_states(&mut self, _z: &[Eight]) {}
-
-    fn state_rates(&self, _t: f64, _q: &[Eight], _v: &[Eight], _out: &mut [Eight]) {}
-
-    fn power(&self, _t: f64, _q: &[Eight], _v: &[Eight], _lambda: &[Eight], _out: &mut [Eight]) {}
-}
-
-impl<S: Scene + ?Sized> Projecting<Eight> for Together<'_, S> {
-    fn project(&mut self, t: f64, q: &mut [Eight], v: &mut [Eight]) -> Result<(), MotionError> {
-        let Self { systems, q: one_q, v: one_v, .. } = self;
-        let n = systems.len();
-        for (lane, system) in systems.iter_mut().enumerate() {
-            let rest = if lane + 1 == n { lane..N_LANES } else { lane..lane + 1 };
-            one_q.iter_mut().zip(&*q).for_each(|(one, eight)| *one = eight.0[lane]);
-            one_v.iter_mut().zip(&*v).for_each(|(one, eight)| *one = eight.0[lane]);
-            system.project(t, one_q, one_v, Projection::default(), Metric::default())?;
-            for lane in rest {
-                q.iter_mut().zip(&*one_q).for_each(|(eight, one)| eight.0[lane] = *one);
-                v.iter_mut().zip(&*one_v).for_each(|(eight, one)| eight.0[lane] = *one);
-            }
-        }
-        Ok(())
-    }
 }

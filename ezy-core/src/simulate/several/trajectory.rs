@@ -7,6 +7,7 @@ use crate::scalar::Scalar;
 use crate::simulate::SetupError;
 use crate::simulate::stepping::stepper_state::check_angles;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 pub(in crate::simulate) struct Trajectory<D, T> {
     pub system: D,
@@ -54,18 +55,34 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
 
     /// Steps to `until_s`; after an error `now` is the last good state.
     pub(in crate::simulate) fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
+        self.advance_unless(until_s, &AtomicBool::new(false))
+    }
+
+    /// The same, unless `is_over` is set on the way.
+    pub(in crate::simulate) fn advance_unless(
+        &mut self,
+        until_s: f64,
+        is_over: &AtomicBool,
+    ) -> Result<(), MotionError> {
         let start = self.now.t;
         if !until_s.is_finite() {
             return Err(MotionError::NotFinite { t: start, quantity: "the end of the run".into() });
         }
+        let goes_on = || !is_over.load(Ordering::Relaxed);
         if let Some(step_s) = self.method.step_s() {
             let clock = Clock::new(start, until_s, step_s);
-            return (0..clock.n_steps()).try_for_each(|n| self.step(clock.step(n), clock.time(n + 1)));
+            let mut steps = (0..clock.n_steps()).take_while(|_| goes_on());
+            return steps.try_for_each(|n| self.step(clock.step(n), clock.time(n + 1)));
         }
-        while self.now.t < until_s {
+        while self.now.t < until_s && goes_on() {
             self.step(until_s - self.now.t, until_s)?;
         }
         Ok(())
+    }
+
+    /// Forgets the steps taken so far.
+    pub(in crate::simulate) fn restart(&mut self) {
+        self.integrator.restart();
     }
 
     /// A step of length `h` to `t_next`; a method that chooses its steps may stop before.

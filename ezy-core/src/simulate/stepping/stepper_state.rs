@@ -86,7 +86,7 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// Forgets the steps taken so far.
-    fn restart(&mut self) {
+    pub(in crate::simulate) fn restart(&mut self) {
         self.method.restart();
         self.singular_positions.restart();
     }

@@ -36,15 +36,21 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             place += 1;
         }
     }
-    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+    fn position_constraint_with_sines(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        sines: &[[T; 2]],
+        out: &mut [T],
+    ) {
         let first_link: i64 = 0;
         let mut place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let link_0_x = q[slots[0] + 0];
             let l_over_two = c[2usize];
-            let link_0_phi = q[slots[0] + 2];
-            let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
+            let [sin_link_0_phi, cos_link_0_phi] = sines[slots[0] / 3];
             let link_0_y = q[slots[0] + 1];
             out[place] = T::fused(l_over_two, cos_link_0_phi, -link_0_x);
             place += 1;
@@ -56,10 +62,8 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
                 3 * (first_link + (at_i - 1)) as usize,
                 3 * (first_link + at_i) as usize,
             ];
-            let link_i_1_phi = q[slots[0] + 2];
-            let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
-            let link_i_phi = q[slots[1] + 2];
-            let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
+            let [sin_link_i_1_phi, cos_link_i_1_phi] = sines[slots[0] / 3];
+            let [sin_link_i_phi, cos_link_i_phi] = sines[slots[1] / 3];
             let l_over_two = c[2usize];
             let link_i_1_x = q[slots[0] + 0];
             let link_i_x = q[slots[1] + 0];
@@ -79,7 +83,18 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             place += 1;
         }
     }
-    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        self.position_constraint_with_sines(c, t, q, &ezy::sines(q), out);
+    }
+    fn velocity_constraint_with_sines(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        v: &[T],
+        sines: &[[T; 2]],
+        out: &mut [T],
+    ) {
         let first_link: i64 = 0;
         let mut place = 0;
         {
@@ -88,8 +103,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             let l_over_two = c[2usize];
             let link_0_omega = v[slots[0] + 2];
             let l_over_two_link_0_omega = l_over_two * link_0_omega;
-            let link_0_phi = q[slots[0] + 2];
-            let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
+            let [sin_link_0_phi, cos_link_0_phi] = sines[slots[0] / 3];
             let link_0_vy = v[slots[0] + 1];
             out[place] = -T::fused(l_over_two_link_0_omega, sin_link_0_phi, link_0_vx);
             place += 1;
@@ -102,11 +116,9 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
                 3 * (first_link + at_i) as usize,
             ];
             let link_i_1_omega = v[slots[0] + 2];
-            let link_i_1_phi = q[slots[0] + 2];
-            let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
+            let [sin_link_i_1_phi, cos_link_i_1_phi] = sines[slots[0] / 3];
             let link_i_omega = v[slots[1] + 2];
-            let link_i_phi = q[slots[1] + 2];
-            let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
+            let [sin_link_i_phi, cos_link_i_phi] = sines[slots[1] / 3];
             let l_over_two = c[2usize];
             let link_i_1_vx = v[slots[0] + 0];
             let difference_14 = T::fused(
@@ -136,14 +148,23 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             place += 1;
         }
     }
-    fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        self.velocity_constraint_with_sines(c, t, q, v, &ezy::sines(q), out);
+    }
+    fn velocity_jacobian_with_sines(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        sines: &[[T; 2]],
+        out: &mut [T],
+    ) {
         let first_link: i64 = 0;
         let mut place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let l_over_two = c[2usize];
-            let link_0_phi = q[slots[0] + 2];
-            let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
+            let [sin_link_0_phi, cos_link_0_phi] = sines[slots[0] / 3];
             out[place] = -T::from_f64(1f64);
             place += 1;
             out[place] = -(l_over_two * sin_link_0_phi);
@@ -159,10 +180,8 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
                 3 * (first_link + at_i) as usize,
             ];
             let l_over_two = c[2usize];
-            let link_i_1_phi = q[slots[0] + 2];
-            let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
-            let link_i_phi = q[slots[1] + 2];
-            let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
+            let [sin_link_i_1_phi, cos_link_i_1_phi] = sines[slots[0] / 3];
+            let [sin_link_i_phi, cos_link_i_phi] = sines[slots[1] / 3];
             out[place] = T::from_f64(1f64);
             place += 1;
             out[place] = -(l_over_two * sin_link_i_1_phi);
@@ -181,7 +200,18 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             place += 1;
         }
     }
-    fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+    fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        self.velocity_jacobian_with_sines(c, t, q, &ezy::sines(q), out);
+    }
+    fn convective_term_with_sines(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        v: &[T],
+        sines: &[[T; 2]],
+        out: &mut [T],
+    ) {
         let first_link: i64 = 0;
         let mut place = 0;
         {
@@ -189,8 +219,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             let l_over_two = c[2usize];
             let link_0_omega = v[slots[0] + 2];
             let product_3 = link_0_omega * (l_over_two * link_0_omega);
-            let link_0_phi = q[slots[0] + 2];
-            let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
+            let [sin_link_0_phi, cos_link_0_phi] = sines[slots[0] / 3];
             out[place] = -(product_3 * cos_link_0_phi);
             place += 1;
             out[place] = -(product_3 * sin_link_0_phi);
@@ -203,12 +232,10 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             ];
             let link_i_1_omega = v[slots[0] + 2];
             let link_i_1_omega_squared = link_i_1_omega * link_i_1_omega;
-            let link_i_1_phi = q[slots[0] + 2];
-            let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
+            let [sin_link_i_1_phi, cos_link_i_1_phi] = sines[slots[0] / 3];
             let link_i_omega = v[slots[1] + 2];
             let link_i_omega_squared = link_i_omega * link_i_omega;
-            let link_i_phi = q[slots[1] + 2];
-            let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
+            let [sin_link_i_phi, cos_link_i_phi] = sines[slots[1] / 3];
             let l_over_two = c[2usize];
             let product_14 = T::fused(
                 link_i_omega_squared,
@@ -226,6 +253,9 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             out[place] = -product_20;
             place += 1;
         }
+    }
+    fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        self.convective_term_with_sines(c, t, q, v, &ezy::sines(q), out);
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
         let first_link: i64 = 0;
@@ -249,5 +279,8 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             out[place] = -T::fused(k17, sin_link_n_1_phi, one_over_n_l * link_n_1_y);
             place += 1;
         }
+    }
+    fn takes_sines(&self) -> bool {
+        true
     }
 }

@@ -1,0 +1,54 @@
+//! Sines and cosines of the angles of one configuration, which all kernels of a scene with counts share.
+
+use crate::model::coordinate::{N_OF_BODY, n_bodies, sine_and_cosine};
+
+/// [sin φ, cos φ] of each body, kept until other angles are asked for. Empty in scenes whose kernels take none.
+pub(super) struct Sines {
+    angles: Vec<f64>,
+    table: Vec<[f64; 2]>,
+}
+
+impl Sines {
+    pub(super) fn new(n_q: usize, takes_sines: bool) -> Self {
+        let n = if takes_sines { n_bodies(n_q) } else { 0 };
+        Self { angles: vec![f64::NAN; n], table: vec![[f64::NAN; 2]; n] }
+    }
+
+    /// Of the configuration `q`.
+    #[inline]
+    pub(super) fn at(&mut self, q: &[f64]) -> &[[f64; 2]] {
+        if !self.table.is_empty() {
+            let bodies = q.as_chunks::<N_OF_BODY>().0;
+            let same = |(angle, [_, _, phi]): (&f64, &[f64; N_OF_BODY])| angle.to_bits() == phi.to_bits();
+            // all are compared, without a branch at each
+            if !self.angles.iter().zip(bodies).fold(true, |all, of| all & same(of)) {
+                for ((angle, sines), body) in self.angles.iter_mut().zip(&mut self.table).zip(bodies) {
+                    *angle = body[2];
+                    *sines = sine_and_cosine(body);
+                }
+            }
+        }
+        &self.table
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Angles that change by one bit, or only in their sign, are others; x and y do not matter.
+    #[test]
+    fn analytic_sines_are_those_of_the_last_angles() {
+        let mut sines = Sines::new(6, true);
+        for [first, second] in [[0.0, 1.0], [-0.0, 1.0], [-0.0, 1.0 + f64::EPSILON], [2.0, f64::NAN], [0.5, -3.0]] {
+            for x in [0.0, 7.0] {
+                let table = sines.at(&[x, 1.0, first, 2.0, x, second]);
+                for (found, phi) in table.iter().zip([first, second]) {
+                    assert_eq!(found.map(f64::to_bits), [phi.sin(), phi.cos()].map(f64::to_bits), "{phi}");
+                }
+                assert_eq!(table.len(), 2);
+            }
+        }
+        assert!(Sines::new(6, false).at(&[0.0; 6]).is_empty());
+    }
+}

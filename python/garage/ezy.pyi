@@ -180,8 +180,8 @@ class Scene:
         """`n` steppers that step together on all cores, without the global lock.
 
         start, inputs and parameters have values by name, each a number or an array with one for each member; threads is how many work at
-        most. The numbers are those of single steppers, whatever the number of threads; with lanes=True eight members step at once, about three
-        times as fast, and their numbers are those but for 1e-12 of their size a step.
+        most. The numbers are those of single steppers, whatever the number of threads; with lanes=True eight members step at once, 2.6 times as
+        fast, and their numbers are those but for 1e-12 of their size a step.
         """
     def equilibrium(
         self,

@@ -92,7 +92,10 @@ mod with_languages {
             return Ok((show::latex_document(&scene.info()).into_bytes(), String::new()));
         }
         let simulation = Simulation::new(scene.as_ref()).until(0.0);
-        let given = arguments.start.iter().fold(simulation, |run, start| run.start(&start.name, start.value));
+        let mut given = arguments.start.iter().fold(simulation, |run, start| run.start(&start.name, start.value));
+        if arguments.project_start {
+            given = given.project_start();
+        }
         let run = given.run().map_err(refused)?;
         let start = run.last();
         let start = Start { t: start.t, q: start.coordinates, v: start.velocities };

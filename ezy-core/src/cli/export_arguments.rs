@@ -25,6 +25,9 @@ pub(super) struct ExportArguments {
     /// Hold a start value, as in `run`; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub start: Vec<Assignment>,
+    /// Project a start that contradicts the constraints onto them, as in `run`
+    #[arg(long)]
+    pub project_start: bool,
     /// The version of an FMU
     #[arg(long, value_name = "VERSION", default_value = "2")]
     pub fmi: Fmi,

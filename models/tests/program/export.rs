@@ -75,6 +75,26 @@ fn invariant_given_values_are_those_of_the_file() {
     }
 }
 
+/// A start that cannot be is refused with what lets it give way, and then moved to the nearest one that can.
+#[test]
+fn invariant_a_start_that_cannot_be_is_projected_where_that_is_asked_for() {
+    let file = directory("export_projected").join("swing.py");
+    let given = [
+        "export",
+        "numpy",
+        "pendulum/swing",
+        "--start",
+        "bob.x=0.7",
+        "--start",
+        "bob.y=0",
+        "--out",
+        file.to_str().unwrap(),
+    ];
+    assert_wrong_use(&given, "`--project-start`");
+    output(&[&given[..], &["--project-start"]].concat());
+    assert!(fs::read_to_string(&file).unwrap().contains("(\"bob.x\", \"m\", 1.0)"));
+}
+
 /// The program of the guide, where SciPy is (`EZY_PYTHON` names its Python).
 #[test]
 fn cross_the_hinge_stays_closed_under_scipy() {

@@ -128,9 +128,10 @@ class Scene:
 
         vary: sequences of values by name; each value meets each other one, the last name varies fastest
         together: the first values belong together, then the second ones, and so on
-        keep: what is kept of each run: "seat.vx" at its end, "max:output.speed", "event:landed"; positions and velocities if not given
+        keep: what is kept of each run: "seat.vx" at its end ("end:seat.vx" where it is varied), "max:output.speed", "event:landed"; positions and
+            velocities if not given
         threads: how many work at most
-        lanes: runs eight neighbours together, by dop853, where only their ends are kept
+        lanes: runs eight neighbours together where they are run by dop853 with one count and only their ends are kept, others one by one
         every: time between the samples from which extremes are taken, s
         until, rtol, atol, step, method, start, inputs and project_start as for `run`
 
@@ -152,7 +153,9 @@ class Scene:
         project_start: bool = False,
     ) -> Sensitivities:
         """A run with the exact derivatives of coordinates, velocities and first-order states by what `by` names: parameters, and values that the
-        start gives. They are those of the computed motion.
+        start gives. They are those of the computed motion,
+        whose steps end at the samples. It does not end at events, and where a law jumps the derivatives lack the jump; stops and limits of skates are
+        refused.
 
         until, rtol, atol, step, method, every, at, start and project_start as for `run`, inputs as numbers alone. Methods are "dop853", "rk4" and
         "midpoint". Start values stay as they are when a parameter changes, and what the start does not give follows the constraints.
@@ -496,7 +499,7 @@ class VectorEnvironment(gymnasium.vector.VectorEnv[_Array, _Array, npt.NDArray[A
     num_envs is how many; scene, step and all else are as for Environment. reward and terminated are functions of the batch after the actions:
     `now["bar.phi"]` is an array with a number for each member, and so is what they return. parameters has arrays by name, one number for each
     member; threads is how many work at most, and lanes lets eight step at once, as for a batch. autoreset_mode is one of Gymnasium's: "NextStep", "SameStep" or "Disabled". The numbers are
-    those of `gymnasium.vector.SyncVectorEnv` of so many Environments, to the bit.
+    those of `gymnasium.vector.SyncVectorEnv` of so many Environments, without lanes to the bit.
 
     Raises EzyError for what cannot be used.
     """

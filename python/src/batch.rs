@@ -15,6 +15,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::available_parallelism;
 use std::time::Instant;
 
+/// Steps that are taken, or left undone, at once in lanes; and most of them between two looks for signals.
+const PIECE: u64 = 64;
+const LONGEST: u64 = 1 << 20;
+
 /// Members that step at once in lanes.
 const N_LANES: usize = 8;
 
@@ -145,7 +149,8 @@ impl PyBatch {
             let n_threads = self.most_threads.min(worth.max(1));
             // all have taken as many steps when a signal comes
             let until_signals = BETWEEN_SIGNALS.as_secs_f64() * n_threads as f64 / (self.seconds_of_step * n_members);
-            let n = left.min((until_signals as u64).max(1));
+            // in pieces that do not depend on the time, so that lanes always lead to the same bits
+            let n = left.min((until_signals as u64 / PIECE * PIECE).clamp(PIECE, LONGEST));
             let began = Instant::now();
             let members = self.members.get_mut().unwrap_or_else(PoisonError::into_inner);
             let lanes = self.lanes.get_mut().unwrap_or_else(PoisonError::into_inner);
@@ -304,8 +309,13 @@ impl Member {
 /// Takes `n` steps of eight members, one after the other where it is not possible at once.
 fn step_in_lanes(lanes: &mut EightSteppers<Arc<dyn Scene>>, members: &mut [Member], n: u64) {
     let can_go_on = members.iter().all(|member| member.stopped.is_none());
-    if !can_go_on || !lanes.step(&mut steppers(members), n) {
-        members.iter_mut().for_each(|member| member.step(n));
+    let mut left = n;
+    while left > 0 {
+        let n = left.min(PIECE);
+        if !can_go_on || !lanes.step(&mut steppers(members), n) {
+            members.iter_mut().for_each(|member| member.step(n));
+        }
+        left -= n;
     }
 }
 

@@ -105,7 +105,7 @@ class VectorEnvironment(gymnasium.vector.VectorEnv):
     num_envs is how many; scene, step and all else are as for Environment. reward and terminated are functions of the batch after the actions:
     `now["bar.phi"]` is an array with a number for each member, and so is what they return. parameters has arrays by name, one number for each
     member; threads is how many work at most, and lanes lets eight step at once, as for a batch. autoreset_mode is one of Gymnasium's: "NextStep", "SameStep" or "Disabled". The numbers are
-    those of `gymnasium.vector.SyncVectorEnv` of so many Environments, to the bit.
+    those of `gymnasium.vector.SyncVectorEnv` of so many Environments, without lanes to the bit.
 
     Raises EzyError for what cannot be used.
     """

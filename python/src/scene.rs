@@ -177,9 +177,10 @@ impl PyScene {
     ///
     /// vary: sequences of values by name; each value meets each other one, the last name varies fastest
     /// together: the first values belong together, then the second ones, and so on
-    /// keep: what is kept of each run: "seat.vx" at its end, "max:output.speed", "event:landed"; positions and velocities if not given
+    /// keep: what is kept of each run: "seat.vx" at its end ("end:seat.vx" where it is varied), "max:output.speed", "event:landed"; positions and
+    ///     velocities if not given
     /// threads: how many work at most
-    /// lanes: runs eight neighbours together, by dop853, where only their ends are kept
+    /// lanes: runs eight neighbours together where they are run by dop853 with one count and only their ends are kept, others one by one
     /// every: time between the samples from which extremes are taken, s
     /// until, rtol, atol, step, method, start, inputs and project_start as for `run`
     ///
@@ -218,7 +219,9 @@ impl PyScene {
     }
 
     /// A run with the exact derivatives of coordinates, velocities and first-order states by what `by` names: parameters, and values that the
-    /// start gives. They are those of the computed motion.
+    /// start gives. They are those of the computed motion,
+    /// whose steps end at the samples. It does not end at events, and where a law jumps the derivatives lack the jump; stops and limits of skates are
+    /// refused.
     ///
     /// until, rtol, atol, step, method, every, at, start and project_start as for `run`, inputs as numbers alone. Methods are "dop853", "rk4" and
     /// "midpoint". Start values stay as they are when a parameter changes, and what the start does not give follows the constraints.

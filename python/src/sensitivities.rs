@@ -110,6 +110,9 @@ mod computed {
     use std::sync::Arc;
     use std::sync::atomic::{AtomicBool, Ordering};
 
+    /// Derivatives at all samples, which fill 1.6 GB.
+    const MOST_NUMBERS: f64 = 2e8;
+
     /// Of one run: what more of them hold is not looked at.
     const MOST_SAMPLES: f64 = 1e6;
 
@@ -119,12 +122,17 @@ mod computed {
             match self {
                 Self::At(times) => {
                     let is_sorted = times.is_sorted() && times.iter().all(|t| t.is_finite() && *t >= start_s);
-                    is_sorted.then(|| times.clone()).ok_or_else(|| {
-                        wrong(format!("`at` takes times in ascending order, from the start at {start_s} s on"))
+                    let is_within = times.last().is_none_or(|last| *last <= until_s);
+                    (is_sorted && is_within).then(|| times.clone()).ok_or_else(|| {
+                        wrong(format!("`at` takes times in ascending order, from the start at {start_s} s to the end at {until_s} s"))
                     })
                 }
+                Self::Every(_) if until_s == start_s => Ok(vec![start_s]),
+                Self::Every(_) if !(until_s > start_s && until_s.is_finite()) => Err(wrong(format!(
+                    "`until` takes a time from the start at {start_s} s on, but was given {until_s}"
+                ))),
                 Self::Every(every_s) => {
-                    if !(*every_s > 0.0 && every_s.is_finite() && until_s.is_finite()) {
+                    if !(*every_s > 0.0 && every_s.is_finite()) {
                         return Err(wrong(format!("`every` takes a time above 0 s, but was given {every_s}")));
                     }
                     // the last one may be the end, but for rounding
@@ -167,6 +175,12 @@ mod computed {
                 let by: Vec<&str> = by.iter().map(String::as_str).collect();
                 let (system, start) = motion.simulation(Arc::clone(scene)).system_at_start().map_err(wrong)?;
                 let times = samples.times(start.t, motion.end(&**scene))?;
+                let n_numbers = times.len() as f64 * (found.columns.len() * found.by.len()) as f64;
+                if n_numbers > MOST_NUMBERS {
+                    return Err(wrong(format!(
+                        "{n_numbers:.1e} derivatives are asked for, and {MOST_NUMBERS:.0e} are possible; give fewer samples or quantities"
+                    )));
+                }
                 let mut run = Sensitivities::of_scene(system, &start, &by, motion.method).map_err(of_setup)?;
                 found.values.clear();
                 let mut of_group = vec![Vec::with_capacity(times.len() * found.columns.len()); by.len()];

@@ -130,13 +130,19 @@ fn target(name: &str, info: &SceneInfo) -> PyResult<Target> {
 /// A dictionary of the columns: arrays, and lists of texts.
 fn columns<'py>(py: Python<'py>, table: &Table) -> PyResult<Bound<'py, PyDict>> {
     let all = PyDict::new(py);
+    let names: Vec<&str> = table.columns.iter().map(|column| column.name.as_str()).collect();
     // the number of the case is its place
     for (i, column) in table.columns.iter().skip(1).enumerate() {
         let cells = table.rows.iter().map(|row| &row.cells[i]);
+        // what is varied may be kept, too: where it was, and where it comes to
+        let name = match names[..=i].contains(&names[i + 1]) {
+            true => format!("end:{}", column.name),
+            false => column.name.clone(),
+        };
         match column.kind {
             Kind::Text => {
                 let texts = cells.map(|cell| if let Cell::Text(text) = cell { text.as_str() } else { "" });
-                all.set_item(&column.name, texts.collect::<Vec<_>>())?;
+                all.set_item(name, texts.collect::<Vec<_>>())?;
             }
             Kind::Number | Kind::Count => {
                 let numbers = cells.map(|cell| match cell {
@@ -144,7 +150,7 @@ fn columns<'py>(py: Python<'py>, table: &Table) -> PyResult<Bound<'py, PyDict>> 
                     Cell::Count(n) => *n as f64,
                     Cell::Text(_) => f64::NAN,
                 });
-                all.set_item(&column.name, PyArray1::from_iter(py, numbers))?;
+                all.set_item(name, PyArray1::from_iter(py, numbers))?;
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A scene in other numbers than `f64`: several trajectories side by side, or one with its derivatives.
 
-use super::geometry::tolerance_at;
-use super::tolerances::projection::MAX_PASSES;
+use super::geometry::Geometry;
+use super::tolerances::projection::{MAX_PASSES, PASSES_TO_ROUNDING};
 use super::{MotionError, Rows, System};
 use crate::model::body_kind;
 use crate::model::{Derived as _, Eight, Equations, EquationsInLanes, Pivots, SceneInfo, SceneRef};
@@ -174,17 +174,19 @@ pub(crate) struct SystemOf<K, T> {
     pub ahead_s: T,
     /// The smallest pivot so far.
     pub smallest_pivot: f64,
+    geometry: Geometry,
     residual: Vec<T>,
     delta: Vec<T>,
 }
 
 impl<K: Eliminating<T>, T: Scalar> SystemOf<K, T> {
-    /// With `fixed` as what the kernels read as `c`: inputs, then constants.
-    pub(crate) fn new(kernels: K, info: Arc<SceneInfo>, fixed: Vec<T>) -> Self {
+    /// With `fixed` as what the kernels read as `c`: inputs, then constants; sizes of rows are those of `system`.
+    pub(crate) fn new<P: SceneRef>(kernels: K, system: &System<P>, fixed: Vec<T>) -> Self {
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
+        let (info, geometry) = (Arc::clone(&system.info), system.geometry.clone());
         let (residual, delta) = (zeros(info.n_rows()), zeros(info.n_velocities()));
         let ahead_s = T::from_f64(0.0);
-        Self { kernels, info, fixed, ahead_s, smallest_pivot: f64::INFINITY, residual, delta }
+        Self { kernels, info, fixed, ahead_s, smallest_pivot: f64::INFINITY, geometry, residual, delta }
     }
 
     fn time(&self, t: f64) -> T {
@@ -234,16 +236,20 @@ impl<K: Eliminating<T>, T: Scalar> Projecting<T> for SystemOf<K, T> {
         loop {
             let time = self.time(t);
             self.kernels.position_constraint(&self.fixed, time, q, &mut self.residual[..n_h]);
-            let (residual, tolerance) = (largest(&self.residual[..n_h]), tolerance_at(largest(q)));
-            if residual <= tolerance {
+            let (rows, extent) = (&self.residual[..n_h], largest(q));
+            let tolerance = |row| self.geometry.position_tolerance(row, extent);
+            // one lane far away does not spare the others their passes
+            let is_rounded = passes >= PASSES_TO_ROUNDING && (0..n_h).all(|row| rows[row].extent() <= tolerance(row));
+            if is_rounded || self.geometry.is_met_by(rows.iter().map(|row| row.extent())) {
                 break;
             }
+            let residual = largest(rows);
             if !residual.is_finite() {
                 return Err(MotionError::NotFinite { t, quantity: "a position constraint".into() });
             }
             if passes == MAX_PASSES {
-                let worst = self.residual[..n_h].iter().position(|c| c.extent() == residual).unwrap_or(0);
-                let row = self.info.rows[worst].name.clone();
+                let worst = rows.iter().position(|c| c.extent() == residual).unwrap_or(0);
+                let (row, tolerance) = (self.info.rows[worst].name.clone(), tolerance(worst));
                 return Err(MotionError::ProjectionStalled { t, residual, row, passes, tolerance });
             }
             self.residual[n_h..].fill(T::from_f64(0.0));

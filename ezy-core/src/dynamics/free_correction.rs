@@ -31,11 +31,11 @@ impl<P: SceneRef> Assembly<'_, P> {
     /// something is left.
     pub(super) fn following(&mut self, t: f64, q: &[f64], residual: &[f64], given: &[Vec<bool>]) -> Option<Vec<f64>> {
         let n_rows = residual.len();
-        let largest = FOLLOWED * max_abs(residual);
+        let (rounding, largest) = (f64::EPSILON * max_abs(residual), FOLLOWED * max_abs(residual));
         let (mut tangent, mut left) = (vec![0.0; self.system.info.n_velocities()], residual.to_vec());
         // the second pass takes what the damping of sparse corrections leaves
         for given in given.iter().flat_map(|given| [given; 2]) {
-            if max_abs(&left) <= largest {
+            if max_abs(&left) <= rounding {
                 break;
             }
             let change = self.free_tangent(t, q, &left, given);

@@ -4,6 +4,7 @@ use super::tolerances::geometry::{LARGEST_VALUE, ROUNDING_OF_ROWS, TOLERANCE};
 use crate::model::{CoordinateInfo, SceneInfo, Start};
 
 /// Lengths that say what is small, read once off the slopes of the rows at the scene's start.
+#[derive(Clone)]
 pub(super) struct Geometry {
     /// Length that goes with an angle of one radian, m: the longest lever of a row.
     pub length: f64,
@@ -100,8 +101,15 @@ impl Geometry {
     }
 
     /// Whether position constraints are met without regard to rounding.
+    #[inline]
     pub(super) fn is_met(&self, residual: &[f64]) -> bool {
-        residual.iter().zip(&self.sizes).all(|(c, size)| c.abs() <= TOLERANCE * size.min(1.0))
+        self.is_met_by(residual.iter().map(|c| c.abs()))
+    }
+
+    /// The same by the sizes of the residuals.
+    #[inline]
+    pub(super) fn is_met_by(&self, residual: impl Iterator<Item = f64>) -> bool {
+        residual.zip(&self.sizes).all(|(c, size)| c <= TOLERANCE * size.min(1.0))
     }
 
     /// The smallest entry of M as a share of the largest, inertias by the mass that their lever feels.
@@ -110,11 +118,6 @@ impl Geometry {
         let heaviest = largest(felt());
         if heaviest > 0.0 { felt().fold(heaviest, f64::min) / heaviest } else { 0.0 }
     }
-}
-
-/// |C| that counts as zero where the largest coordinate is `size`, of rows whose sizes are not known.
-pub(super) fn tolerance_at(size: f64) -> f64 {
-    TOLERANCE.max(ROUNDING_OF_ROWS * size.min(LARGEST_VALUE))
 }
 
 fn worst(x: impl Iterator<Item = f64>) -> f64 {
@@ -207,9 +210,6 @@ mod tests {
         ] {
             close(geometry.velocity_tolerance(row, extent), expected);
         }
-        close(tolerance_at(1.0), 1e-12);
-        close(tolerance_at(1e7), rounding * 1e7);
-        close(tolerance_at(1e12), rounding * 1e9);
     }
 
     /// The worst row in units of its tolerance, or of its size.

@@ -119,9 +119,9 @@ impl<P: SceneRef, const N: usize> SystemWithDerivatives<P, N> {
         }
     }
 
-    /// What kernels read as `c`.
-    pub(crate) fn into_fixed(self) -> Vec<Dual<N>> {
-        self.fixed
+    /// The system of the values, and what kernels read as `c`.
+    pub(crate) fn into_parts(self) -> (System<P>, Vec<Dual<N>>) {
+        (self.system, self.fixed)
     }
 
     /// Lets the positions `q` and velocities `v` of `start` follow the rows, which hold for the derivatives, too: what is not given, and of near values

@@ -8,7 +8,7 @@ use super::stepping::stepper_state::StepperState;
 use super::{Inputs, InputsGuard, Now, SetupError};
 use crate::archive::Archive;
 use crate::archive::LARGEST_COUNT;
-use crate::dynamics::{MotionError, State, state_not_finite};
+use crate::dynamics::{MotionError, Solved, State, state_not_finite};
 use crate::model::{NamedScene, SceneInfo, SceneRef};
 use crate::record::EnergyState;
 use std::sync::Arc;
@@ -218,7 +218,7 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
                 self.evaluated = false;
                 self.control.act(&self.stepper.now.state, self.step_s, &mut self.stepper.system)?;
             }
-            let t_next = self.start_s + (self.n_steps + 1) as f64 * self.step_s;
+            let t_next = self.time_after(1);
             let mut h = self.step_s;
             while self.stepper.now.state.t < t_next {
                 self.evaluate()?;
@@ -234,12 +234,19 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
         Ok(())
     }
 
-    /// Moves on by `n` steps that something else took, to the positions and velocities that it writes.
-    pub(super) fn go_on(&mut self, n: u64, write: impl FnOnce(&mut [f64], &mut [f64])) {
+    /// Time after `n` more steps, s.
+    pub(super) fn time_after(&self, n: u64) -> f64 {
+        self.start_s + (self.n_steps + n) as f64 * self.step_s
+    }
+
+    /// Moves on by `n` steps that something else took, to the positions and velocities that it writes; `pivot` is the smallest one where it began.
+    pub(super) fn go_on(&mut self, n: u64, pivot: f64, write: impl FnOnce(&mut [f64], &mut [f64])) {
+        let t = self.time_after(n);
         self.n_steps += n;
-        let State { t, q, v, .. } = &mut self.stepper.now.state;
-        write(q, v);
-        *t = self.start_s + self.n_steps as f64 * self.step_s;
+        let now = &mut *self.stepper.now;
+        write(&mut now.state.q, &mut now.state.v);
+        now.state.t = t;
+        now.end = Solved::regular(pivot);
         self.stepper.restart();
         self.evaluated = false;
     }

@@ -69,6 +69,11 @@ pub(super) struct Reader {
     pub(super) needs_samples: bool,
     pub(super) needs_error: bool,
     pub(super) keeps_samples: bool,
+    /// All columns of the scene, with its own counts.
+    all: Vec<Column>,
+    kept: Vec<Kept>,
+    /// Columns of each of them.
+    n_places: Vec<usize>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -107,6 +112,9 @@ impl Reader {
             needs_samples: false,
             needs_error: false,
             keeps_samples: false,
+            all: all.clone(),
+            kept: kept.to_vec(),
+            n_places: Vec::new(),
         };
         let column = |name: &str| find_name("column", name, all.iter().map(|column| column.name.as_str()));
         let event =
@@ -149,6 +157,7 @@ impl Reader {
             if let Some(Place::End(i) | Place::Smallest(i) | Place::Largest(i)) = of.places.last() {
                 of.needs_work |= of.without_work[*i].is_none();
             }
+            of.n_places.push(of.places.len() - of.n_places.iter().sum::<usize>());
             of.needs_samples |= matches!(kept, Kept::Smallest(_) | Kept::Largest(_) | Kept::Error | Kept::Samples);
         }
         Ok(of)
@@ -159,11 +168,25 @@ impl Reader {
     /// # Errors
     /// [`SetupError`] when points are kept, and the scene cannot be used.
     pub(super) fn numbers<S: Scene + ?Sized>(&self, scene: &S, run: &Run) -> Result<Vec<f64>, SetupError> {
+        let info = scene.info();
+        if !info.counts().is_empty() && columns(&info, ALL) != self.all {
+            // another count has other columns, and may have none of a name
+            let other =
+                self.kept.iter().map(|kept| Self::new(&info, std::slice::from_ref(kept)).ok()).collect::<Vec<_>>();
+            let mut numbers = Vec::with_capacity(self.places.len());
+            for (other, n) in other.into_iter().zip(&self.n_places) {
+                match other {
+                    Some(other) => numbers.extend(other.numbers(scene, run)?),
+                    None => numbers.resize(numbers.len() + n, f64::NAN),
+                }
+            }
+            return Ok(numbers);
+        }
         let mut points = Vec::new();
         if self.has_points {
             let system = System::new(scene, Backend::Auto)?;
             let last = run.last();
-            points.resize(2 * scene.info().points.len(), 0.0);
+            points.resize(2 * info.points.len(), 0.0);
             scene.points(system.fixed(), last.t, last.coordinates, &mut points);
         }
         let has_work = run.first().wanted.work;

@@ -110,3 +110,18 @@ ezy_core::model! {
         scene sways { start below; until 1 s; }
     }
 }
+
+ezy_core::model! {
+    /// A crank that is driven on, and a rod that is too short to follow it beyond 30 degrees.
+    pub model Locking {
+        body crank { mass: 1, inertia: 1 }
+        body rod { mass: 1, inertia: 1 }
+        hinge bearing: ground(0, 0) ~ crank(0, 0);
+        hinge pin: crank(1, 0) ~ rod(-0.5, 0);
+        slot guide: ground(0, 0) ~ rod(0, 0) along ground(1, 0);
+        param rate: rad/s = 1;
+        drive turning: crank.phi = rate*t;
+        start level { rod near angle 0; }
+        scene turns { start level; until 1 s; }
+    }
+}

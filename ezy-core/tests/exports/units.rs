@@ -1,6 +1,6 @@
 //! Functional mock-up units, compiled by `cc` and run by FMPy where these are at hand (`EZY_PYTHON` names its Python).
 
-use crate::mechanisms::{falling, laws, plumb, roller, rope, thrown};
+use crate::mechanisms::{falling, laws, locking, plumb, roller, rope, thrown};
 use crate::{drivers, folder};
 use ezy_core::export::fmu::{Version, unit};
 use ezy_core::export::{ExportError, Start};
@@ -103,6 +103,24 @@ fn cross_a_unit_without_rows_moves_as_a_run() {
 #[test]
 fn cross_a_unit_ends_where_a_run_does() {
     assert_unit(&falling::Falls::default(), 2.0);
+}
+
+/// Where a mechanism locks, t = π/6 s, the importer is told when and why a step fails.
+#[test]
+fn invariant_a_singular_position_reaches_the_log() {
+    let scene = locking::Turns::default();
+    for version in [Version::Two, Version::Three] {
+        let Some(folder) = unpacked(&scene, version) else { return };
+        if !drivers::python(&["-c", "import fmpy"]).output().is_ok_and(|done| done.status.success()) {
+            eprintln!("skipped: there is no Python with FMPy here");
+            return;
+        }
+        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/exports/check_failing.py");
+        let done = drivers::python(&[script, folder.to_str().expect("UTF-8")]).output().expect("it starts");
+        let told = String::from_utf8_lossy(&done.stdout);
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+        assert!(told.contains("0.523"), "{told}");
+    }
 }
 
 #[test]

@@ -44,6 +44,11 @@ def test_more_than_eight_quantities_and_differences_of_runs():
         assert found["bar.phi", name][-1] == pytest.approx(difference, rel=1e-5, abs=1e-6), name
 
 
+def test_start_alone():
+    found = ezy.pendulum.swing(l=0.7).sensitivities(["l"], 0)
+    assert found.t.tolist() == [0] and found["bob.x", "l"].tolist() == [1]
+
+
 def test_scenes_with_counts_have_derivatives():
     scene = ezy.chain.swing(n=6)
     found = scene.sensitivities(["m"], 0.3, rtol=1e-10, at=[0.3])
@@ -60,6 +65,8 @@ def test_scenes_with_counts_have_derivatives():
         ({"by": ["l"], "at": [1, 0.5]}, "ascending"),
         ({"by": ["l"], "every": 0}, "above 0 s"),
         ({"by": ["l"], "every": 1e-9}, "are possible"),
+        ({"by": ["l"], "at": [100]}, "to the end at 10 s"),
+        ({"by": ["l"], "until": -1}, "`until` takes a time"),
         ({"by": ["bob.x"]}, "is not given by the start"),
     ],
 )

@@ -28,6 +28,22 @@ def test_lanes_keep_the_tolerance():
     assert np.abs(one - eight).max() <= 1e-7
 
 
+def test_what_is_varied_may_be_kept():
+    table = ezy.pendulum.swing().sweep({"bob.phi": [-1, 0.5]}, until=0.5)
+    assert table["bob.phi"].tolist() == [-1, 0.5]
+    for phi, end in zip(table["bob.phi"], table["end:bob.phi"]):
+        run = ezy.pendulum.swing().run(until=0.5, at=[0.5], start={"bob.phi": phi})
+        assert end == pytest.approx(run["bob.phi"][-1], abs=1e-6)
+
+
+def test_columns_of_other_counts_are_found_by_name():
+    table = ezy.chain.swing().sweep({"n": [2, 20]}, until=0.1, keep=["link[0].omega", "link[4].phi"])
+    for n, omega, phi in zip((2, 20), table["link[0].omega"], table["link[4].phi"]):
+        run = ezy.chain.swing(n=n).run(until=0.1, at=[0.1])
+        assert omega == pytest.approx(run["link[0].omega"][-1], abs=1e-6)
+        assert np.isnan(phi) if n == 2 else phi == pytest.approx(run["link[4].phi"][-1], abs=1e-6)
+
+
 def test_counts_and_failures_are_rows():
     table = ezy.chain.swing().sweep({"n": [2, 3, 2.5]}, until=0.1, keep=["link[0].phi"])
     assert table["outcome"] == ["end", "end", "refused"] and "whole number" in table["message"][2]

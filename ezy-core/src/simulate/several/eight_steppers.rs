@@ -4,7 +4,7 @@ use super::trajectory::Trajectory;
 use crate::dynamics::{InLanes, Metric, Projection, State, SystemOf};
 use crate::integrate::MethodKind;
 use crate::model::{Derived as _, Eight, EventKind, N_LANES, SceneRef};
-use crate::scalar::packed;
+use crate::scalar::{Lanes, packed};
 use crate::simulate::Stepper;
 use crate::simulate::tolerances::singular::TOO_NEAR;
 use std::array::from_fn;
@@ -44,12 +44,11 @@ pub struct EightSteppers<P: SceneRef> {
     trajectory: Trajectory<SystemOf<InLanes<P>, Eight>, Eight>,
     n: usize,
     step_s: f64,
-    first_pivot: Option<f64>,
 }
 
 /// Why steppers cannot step together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("they step by themselves: {0}")]
+#[error("the steppers cannot step in lanes: {0}")]
 pub struct NotTogether(&'static str);
 
 impl<P: SceneRef> EightSteppers<P> {
@@ -86,35 +85,41 @@ impl<P: SceneRef> EightSteppers<P> {
         }
         let of_lane = |lane: usize| &steppers[lane.min(steppers.len() - 1)].stepper.system;
         let fixed = packed(from_fn(|lane| of_lane(lane).fixed()));
-        let kernels = SystemOf::new(InLanes(system.scene_ref().clone()), Arc::clone(&info), fixed);
+        let kernels = SystemOf::new(InLanes(system.scene_ref().clone()), system, fixed);
         let start = State::zeros([info.n_coordinates(), info.n_velocities()], 0, 0);
         let trajectory = Trajectory::new(kernels, info, start, first.solver.method);
         let trajectory = trajectory.map_err(|_| NotTogether("the method does not step in lanes"))?;
-        Ok(Self { trajectory, n: steppers.len(), step_s: first.step_s, first_pivot: None })
+        Ok(Self { trajectory, n: steppers.len(), step_s: first.step_s })
     }
 
-    /// Takes `n` steps of the steppers that this was made of, in their order, or leaves them where they are and returns false.
+    /// Takes `n` steps of the steppers that this was made of, in their order, or leaves them where they are and returns false. The same calls
+    /// lead to the same bits.
     ///
     /// # Cost
     /// Four evaluations of the accelerations and the projections a step, for all eight; no allocation.
     pub fn step(&mut self, steppers: &mut [&mut Stepper<'_, P>], n: u64) -> bool {
-        if steppers.len() != self.n {
+        if steppers.len() != self.n || !self.gather(steppers) {
             return false;
         }
-        self.gather(steppers);
-        for i in 1..=n {
-            let Self { trajectory, step_s, first_pivot, .. } = self;
-            if trajectory.step(*step_s, i as f64 * *step_s).is_err() {
-                return false;
-            }
-            let smallest = trajectory.system.smallest_pivot;
-            if smallest < TOO_NEAR * *first_pivot.get_or_insert(smallest) {
+        let pivots: [f64; N_LANES] = from_fn(|lane| match steppers.get_mut(lane) {
+            Some(Stepper { stepper, .. }) => stepper.system.pivot_at(stepper.now.state.t, &stepper.now.state.q),
+            None => 0.0,
+        });
+        // with one bound for all lanes, that of the one whose rows are farthest apart
+        let too_near = TOO_NEAR * pivots.iter().fold(0.0, |largest: f64, pivot| largest.max(*pivot));
+        for i in 0..n {
+            // times are those of single steppers, whatever was stepped at once before
+            let times: [f64; N_LANES] = from_fn(|lane| steppers[lane.min(self.n - 1)].time_after(i));
+            let Self { trajectory, step_s, .. } = self;
+            trajectory.system.ahead_s = Lanes(times);
+            trajectory.now.t = 0.0;
+            if trajectory.step(*step_s, *step_s).is_err() || trajectory.system.smallest_pivot < too_near {
                 return false;
             }
         }
         let now = &self.trajectory.now;
         for (lane, stepper) in steppers.iter_mut().enumerate() {
-            stepper.go_on(n, |q, v| {
+            stepper.go_on(n, pivots[lane], |q, v| {
                 q.iter_mut().zip(&now.q).for_each(|(q, eight)| *q = eight.0[lane]);
                 v.iter_mut().zip(&now.v).for_each(|(v, eight)| *v = eight.0[lane]);
             });
@@ -122,19 +127,25 @@ impl<P: SceneRef> EightSteppers<P> {
         true
     }
 
-    /// Takes over where the steppers are, and their inputs; fewer than eight fill the rest with the last one.
-    fn gather(&mut self, steppers: &[&mut Stepper<'_, P>]) {
+    /// Takes over where the steppers are, and their inputs; fewer than eight fill the rest with the last one. False where they are not those that
+    /// this was made of, or one has stopped within a step.
+    fn gather(&mut self, steppers: &[&mut Stepper<'_, P>]) -> bool {
         self.trajectory.restart();
         let Trajectory { system, now, .. } = &mut self.trajectory;
-        now.t = 0.0;
         system.smallest_pivot = f64::INFINITY;
         for lane in 0..N_LANES {
             let stepper = &steppers[lane.min(steppers.len() - 1)];
-            let State { t, q, v, .. } = stepper.state();
-            system.ahead_s.0[lane] = *t;
+            let (State { t, q, v, .. }, fixed) = (stepper.state(), stepper.stepper.system.fixed());
+            let n_inputs = stepper.inputs().len();
+            let is_same = fixed.len() == system.fixed.len()
+                && system.fixed[n_inputs..].iter().zip(&fixed[n_inputs..]).all(|(eight, one)| eight.0[lane] == *one);
+            if !is_same || *t != stepper.time_after(0) {
+                return false;
+            }
             now.q.iter_mut().zip(q).for_each(|(eight, q)| eight.0[lane] = *q);
             now.v.iter_mut().zip(v).for_each(|(eight, v)| eight.0[lane] = *v);
             system.fixed.iter_mut().zip(stepper.inputs()).for_each(|(eight, input)| eight.0[lane] = *input);
         }
+        true
     }
 }

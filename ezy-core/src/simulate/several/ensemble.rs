@@ -73,9 +73,7 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         let v = packed(from_fn(|lane| &starts[lane].v[..]));
         let z = packed(from_fn(|lane| &starts[lane].z[..]));
         let start = State { t: starts[0].t, q, v, z, work: Vec::new() };
-        Ok(Self {
-            trajectory: Trajectory::new(SystemOf::new(&scenes[0], Arc::clone(&info), fixed), info, start, method)?,
-        })
+        Ok(Self { trajectory: Trajectory::new(SystemOf::new(&scenes[0], &systems[0], fixed), info, start, method)? })
     }
 
     /// Steps all runs to `until_s`; nothing happens when they are there already.

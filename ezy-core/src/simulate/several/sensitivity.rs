@@ -107,7 +107,8 @@ impl<'s, const N: usize> Sensitivities<'s, N> {
         if !is_eliminated {
             return Self::of(system, info, start, method);
         }
-        let system = SystemOf::new(scene, Arc::clone(&info), system.into_fixed());
+        let (system, fixed) = system.into_parts();
+        let system = SystemOf::new(scene, &system, fixed);
         Self::of(system, info, start, method)
     }
 

@@ -120,20 +120,20 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
     let q = packed(from_fn(|lane| &runs[of_run(lane)].start.q[..]));
     let v = packed(from_fn(|lane| &runs[of_run(lane)].start.v[..]));
     let start = State { t: first.start.t, q, v, z: Vec::new(), work: Vec::new() };
-    let together = SystemOf::new(InLanes(scene), Arc::clone(&info), fixed);
+    let together = SystemOf::new(InLanes(scene), &systems[0], fixed);
     let mut trajectory =
         Trajectory::new(together, Arc::clone(&info), start, Method::default().with_tolerance(first.tolerance))
             .map_err(|_| CANNOT_START)?;
-    let (mut n_steps, mut first_pivot) = (0, None);
+    let pivot = |(system, run): (&mut System<&'s S>, &Waiting)| system.pivot_at(run.start.t, &run.start.q);
+    let too_near = TOO_NEAR * systems.iter_mut().zip(runs).map(pivot).fold(0.0, f64::max);
+    let mut n_steps = 0;
     while trajectory.now.t < first.until_s {
         let is_over = interrupts.iter().any(|flag| flag.load(Ordering::Relaxed));
         if is_over || n_steps == ATTEMPTS_OF_A_PACE {
             return Err("the eight take very many steps");
         }
         trajectory.step(first.until_s - trajectory.now.t, first.until_s).map_err(|_| STOPS)?;
-        // the first of them is that of the first step
-        let smallest = trajectory.system.smallest_pivot;
-        if smallest < TOO_NEAR * *first_pivot.get_or_insert(smallest) {
+        if trajectory.system.smallest_pivot < too_near {
             return Err(STOPS);
         }
         n_steps += 1;

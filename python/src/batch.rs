@@ -79,7 +79,7 @@ impl PyBatch {
             None => None,
         };
         let mut members = all.into_iter().filter_map(member).collect::<PyResult<Vec<_>>>()?;
-        let eight = |members: &mut [Member]| EightSteppers::new(&steppers(members)).map_err(wrong);
+        let eight = |members: &mut [Member]| EightSteppers::new(&mut steppers(members)).map_err(wrong);
         let lanes = match in_lanes {
             true => members.chunks_mut(N_LANES).map(eight).collect::<PyResult<_>>()?,
             false => Vec::new(),

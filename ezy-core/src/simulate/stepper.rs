@@ -239,7 +239,7 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
         self.start_s + (self.n_steps + n) as f64 * self.step_s
     }
 
-    /// Moves on by `n` steps that something else took, to the positions and velocities that it writes; `pivot` is the smallest one where it began.
+    /// Moves on by `n` steps that something else took, to the positions and velocities that it writes; `pivot` is what its smallest ones are compared with.
     pub(super) fn go_on(&mut self, n: u64, pivot: f64, write: impl FnOnce(&mut [f64], &mut [f64])) {
         let t = self.time_after(n);
         self.n_steps += n;

@@ -179,7 +179,7 @@ fn cross_eight_steppers_are_single_ones() {
             Simulation::new(scene).method(Method::rk4(2e-3)).stepper().unwrap()
         };
         let [mut ones, mut together] = [(); 2].map(|()| scenes.iter().map(stepper).collect::<Vec<_>>());
-        let mut lanes = EightSteppers::new(&together.iter_mut().collect::<Vec<_>>()).unwrap();
+        let mut lanes = EightSteppers::new(&mut together.iter_mut().collect::<Vec<_>>()).unwrap();
         for round in 0..3 {
             for steppers in [&mut ones, &mut together] {
                 for (i, stepper) in steppers.iter_mut().enumerate() {
@@ -211,7 +211,7 @@ fn cross_eight_steppers_are_single_ones() {
 fn invariant_eight_steppers_leave_undone_what_they_cannot() {
     let scene = driven::Swings::default();
     let mut stepper = Simulation::new(&scene).method(Method::rk4(2e-3)).stepper().unwrap();
-    let mut lanes = EightSteppers::new(&[&mut stepper]).unwrap();
+    let mut lanes = EightSteppers::new(&mut [&mut stepper]).unwrap();
     stepper.inputs_mut()[0] = f64::NAN;
     let before = stepper.state().clone();
     assert!(!lanes.step(&mut [&mut stepper], 3) && *stepper.state() == before && stepper.step(1).is_err());
@@ -221,7 +221,7 @@ fn invariant_eight_steppers_leave_undone_what_they_cannot() {
     let scene = parallelogram::Falls::default();
     let order = || Simulation::new(&scene).method(Method::rk4(1e-3));
     let (mut alone, mut stepper) = (order().stepper().unwrap(), order().stepper().unwrap());
-    let mut lanes = EightSteppers::new(&[&mut stepper]).unwrap();
+    let mut lanes = EightSteppers::new(&mut [&mut stepper]).unwrap();
     let mut n_undone = 0;
     for _ in 0..200 {
         let before = stepper.state().clone();
@@ -241,17 +241,17 @@ fn invariant_eight_steppers_leave_undone_what_they_cannot() {
     let scenes = [driven::Swings::default(), driven::Swings { l: 2.0, ..Default::default() }];
     let mut steppers =
         scenes.each_ref().map(|scene| Simulation::new(scene).method(Method::rk4(2e-3)).stepper().unwrap());
-    let mut lanes = EightSteppers::new(&steppers.iter_mut().collect::<Vec<_>>()).unwrap();
+    let mut lanes = EightSteppers::new(&mut steppers.iter_mut().collect::<Vec<_>>()).unwrap();
     assert!(!lanes.step(&mut steppers.iter_mut().rev().collect::<Vec<_>>(), 1));
     assert!(lanes.step(&mut steppers.iter_mut().collect::<Vec<_>>(), 1));
 
     let scene = spring::Swings::default();
     let mut other = Simulation::new(&scene).method(Method::midpoint(1e-3)).stepper().unwrap();
-    let why = EightSteppers::new(&[&mut other]).err().unwrap().to_string();
+    let why = EightSteppers::new(&mut [&mut other]).err().unwrap().to_string();
     assert!(why.contains("by rk4 with one step"), "{why}");
     let scene = cruise::Cruises::default();
     let mut states = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
-    let why = EightSteppers::new(&[&mut states]).err().unwrap().to_string();
+    let why = EightSteppers::new(&mut [&mut states]).err().unwrap().to_string();
     assert!(why.contains("first-order states"), "{why}");
 }
 

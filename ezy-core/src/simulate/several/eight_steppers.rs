@@ -33,7 +33,7 @@ use std::sync::Arc;
 /// let steppers = scenes.iter().map(|scene| Simulation::new(scene).method(Method::rk4(1e-3)).stepper());
 /// let mut steppers = steppers.collect::<Result<Vec<_>, _>>()?;
 /// let mut all: Vec<_> = steppers.iter_mut().collect();
-/// let mut together = EightSteppers::new(&all)?;
+/// let mut together = EightSteppers::new(&mut all)?;
 /// if !together.step(&mut all, 100) {
 ///     all.iter_mut().try_for_each(|stepper| stepper.step(100))?;
 /// }
@@ -44,6 +44,8 @@ pub struct EightSteppers<P: SceneRef> {
     trajectory: Trajectory<SystemOf<InLanes<P>, Eight>, Eight>,
     n: usize,
     step_s: f64,
+    /// The largest of the smallest pivots: those of the lanes at their starts, and of all lanes in a step.
+    pivot: f64,
 }
 
 /// Why steppers cannot step together.
@@ -57,7 +59,11 @@ impl<P: SceneRef> EightSteppers<P> {
     /// # Errors
     /// [`NotTogether`]: with another method than `rk4`, other projections than the usual ones, works, laws or tables of inputs; and in scenes without
     /// a generated elimination, with first-order states or integrated inputs, and where something on the way has to be located.
-    pub fn new(steppers: &[&mut Stepper<'_, P>]) -> Result<Self, NotTogether> {
+    pub fn new(steppers: &mut [&mut Stepper<'_, P>]) -> Result<Self, NotTogether> {
+        let pivot = |Stepper { stepper, .. }: &mut &mut Stepper<'_, P>| {
+            stepper.system.pivot_at(stepper.now.state.t, &stepper.now.state.q)
+        };
+        let pivot = steppers.iter_mut().map(pivot).fold(0.0, f64::max);
         let first = steppers.first().ok_or(NotTogether("there are none"))?;
         let (info, system) = (Arc::clone(first.info()), &first.stepper.system);
         let is_alike = |stepper: &&mut Stepper<'_, P>| {
@@ -89,7 +95,7 @@ impl<P: SceneRef> EightSteppers<P> {
         let start = State::zeros([info.n_coordinates(), info.n_velocities()], 0, 0);
         let trajectory = Trajectory::new(kernels, info, start, first.solver.method);
         let trajectory = trajectory.map_err(|_| NotTogether("the method does not step in lanes"))?;
-        Ok(Self { trajectory, n: steppers.len(), step_s: first.step_s })
+        Ok(Self { trajectory, n: steppers.len(), step_s: first.step_s, pivot })
     }
 
     /// Takes `n` steps of the steppers that this was made of, in their order, or leaves them where they are and returns false. The same calls
@@ -101,25 +107,24 @@ impl<P: SceneRef> EightSteppers<P> {
         if steppers.len() != self.n || !self.gather(steppers) {
             return false;
         }
-        let pivots: [f64; N_LANES] = from_fn(|lane| match steppers.get_mut(lane) {
-            Some(Stepper { stepper, .. }) => stepper.system.pivot_at(stepper.now.state.t, &stepper.now.state.q),
-            None => 0.0,
-        });
-        // with one bound for all lanes, that of the one whose rows are farthest apart
-        let too_near = TOO_NEAR * pivots.iter().fold(0.0, |largest: f64, pivot| largest.max(*pivot));
         for i in 0..n {
             // times are those of single steppers, whatever was stepped at once before
             let times: [f64; N_LANES] = from_fn(|lane| steppers[lane.min(self.n - 1)].time_after(i));
-            let Self { trajectory, step_s, .. } = self;
+            let Self { trajectory, step_s, pivot, .. } = self;
             trajectory.system.ahead_s = Lanes(times);
+            trajectory.system.smallest_pivot = f64::INFINITY;
             trajectory.now.t = 0.0;
-            if trajectory.step(*step_s, *step_s).is_err() || trajectory.system.smallest_pivot < too_near {
+            let outcome = trajectory.step(*step_s, *step_s);
+            let smallest = trajectory.system.smallest_pivot;
+            // one bound for all lanes: that of the one whose rows are farthest apart
+            if outcome.is_err() || smallest < TOO_NEAR * *pivot {
                 return false;
             }
+            *pivot = pivot.max(smallest);
         }
         let now = &self.trajectory.now;
         for (lane, stepper) in steppers.iter_mut().enumerate() {
-            stepper.go_on(n, pivots[lane], |q, v| {
+            stepper.go_on(n, self.pivot, |q, v| {
                 q.iter_mut().zip(&now.q).for_each(|(q, eight)| *q = eight.0[lane]);
                 v.iter_mut().zip(&now.v).for_each(|(v, eight)| *v = eight.0[lane]);
             });
@@ -132,7 +137,6 @@ impl<P: SceneRef> EightSteppers<P> {
     fn gather(&mut self, steppers: &[&mut Stepper<'_, P>]) -> bool {
         self.trajectory.restart();
         let Trajectory { system, now, .. } = &mut self.trajectory;
-        system.smallest_pivot = f64::INFINITY;
         for lane in 0..N_LANES {
             let stepper = &steppers[lane.min(steppers.len() - 1)];
             let (State { t, q, v, .. }, fixed) = (stepper.state(), stepper.stepper.system.fixed());

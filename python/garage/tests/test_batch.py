@@ -60,7 +60,7 @@ def test_lanes_have_the_numbers_of_steppers_but_for_the_projection():
 
 
 def test_scenes_that_do_not_step_in_lanes_say_why():
-    with pytest.raises(ezy.EzyError, match="by themselves"):
+    with pytest.raises(ezy.EzyError, match="cannot step in lanes: the scene has no elimination"):
         ezy.chain.swing().batch(4, STEP, lanes=True)
 
 

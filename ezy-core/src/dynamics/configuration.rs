@@ -32,11 +32,6 @@ impl<P: SceneRef> System<P> {
         Configuration { system: self, t, q, rows }
     }
 
-    /// The smallest pivot at positions that fulfil the rows.
-    pub(crate) fn pivot_at(&mut self, t: f64, q: &[f64]) -> f64 {
-        self.at_with(t, q, Rows::Held).smallest_pivot()
-    }
-
     /// Switches a row of the scene on or off, and sets its side ([`SceneInfo::switches`](crate::model::SceneInfo::switches)). What a step held
     /// is forgotten.
     pub(crate) fn switch(&mut self, row: usize, holds: bool, side: f64) {

@@ -1,7 +1,7 @@
 //! Steppers of one scene that step together.
 
 use super::trajectory::Trajectory;
-use crate::dynamics::{InLanes, Metric, Projection, State, SystemOf};
+use crate::dynamics::{InLanes, Metric, Projection, Rows, State, SystemOf};
 use crate::integrate::MethodKind;
 use crate::model::{Derived as _, Eight, EventKind, N_LANES, SceneRef};
 use crate::scalar::{Lanes, packed};
@@ -61,7 +61,8 @@ impl<P: SceneRef> EightSteppers<P> {
     /// a generated elimination, with first-order states or integrated inputs, and where something on the way has to be located.
     pub fn new(steppers: &mut [&mut Stepper<'_, P>]) -> Result<Self, NotTogether> {
         let pivot = |Stepper { stepper, .. }: &mut &mut Stepper<'_, P>| {
-            stepper.system.pivot_at(stepper.now.state.t, &stepper.now.state.q)
+            let State { t, q, .. } = &stepper.now.state;
+            stepper.system.at_with(*t, q, Rows::Held).smallest_pivot()
         };
         let pivot = steppers.iter_mut().map(pivot).fold(0.0, f64::max);
         let first = steppers.first().ok_or(NotTogether("there are none"))?;

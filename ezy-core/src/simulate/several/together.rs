@@ -1,7 +1,7 @@
 //! Runs of one scene with parameters and starts of their own that step together, eight at once; only their ends are known.
 
 use super::trajectory::Trajectory;
-use crate::dynamics::{InLanes, Metric, Projection, State, System, SystemOf};
+use crate::dynamics::{InLanes, Metric, Projection, Rows, State, System, SystemOf};
 use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::linalg::Backend;
 use crate::model::{Derived as _, Eight, EventKind, Scene, SceneRef};
@@ -124,7 +124,9 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
     let mut trajectory =
         Trajectory::new(together, Arc::clone(&info), start, Method::default().with_tolerance(first.tolerance))
             .map_err(|_| CANNOT_START)?;
-    let pivot = |(system, run): (&mut System<&'s S>, &Waiting)| system.pivot_at(run.start.t, &run.start.q);
+    let pivot = |(system, run): (&mut System<&'s S>, &Waiting)| {
+        system.at_with(run.start.t, &run.start.q, Rows::Held).smallest_pivot()
+    };
     let too_near = TOO_NEAR * systems.iter_mut().zip(runs).map(pivot).fold(0.0, f64::max);
     let mut n_steps = 0;
     while trajectory.now.t < first.until_s {

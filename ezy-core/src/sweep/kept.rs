@@ -237,3 +237,41 @@ impl Reader {
         column.or(self.keeps_samples.then_some("samples"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::model::Derived as _;
+    use crate::simulate::Simulation;
+    use crate::sweep::{Case, Plan, Sweep};
+
+    crate::model! {
+        /// Balls that fly apart.
+        pub model Volley {
+            count n = 5;
+            param v: m/s = 1;
+            body ball[n] { mass: 1, inertia: 1 }
+            start here { for i in 0..n { ball[i] at (0, 0) angle 0 velocity (v*i, 0) rate 0; } }
+            scene flies { start here; until 1 s; }
+        }
+    }
+
+    /// Ball i is at i m after 1 s, whatever the count of the case; two have no fifth.
+    #[test]
+    fn analytic_columns_of_other_counts_are_found_by_name() {
+        let run = |case: &Case<'_>| {
+            let mut scene = volley::Flies::default();
+            scene.set_count(0, case.get("n")? as usize);
+            Ok(case.run(Simulation::new(&scene))?)
+        };
+        let sweep = Sweep::new(&volley::Flies::default(), Plan::new().grid("n", [5.0, 2.0, 7.0]), run);
+        let table = sweep.keep(["ball[1].vx", "max:ball[4].x", "kinetic"]).run().unwrap();
+        let numbers = |name: &str| table.numbers(name).unwrap();
+        // of a run at its usual tolerance, on numbers up to 50
+        let near = |x: f64, y: f64| (x - y).abs() <= 1e-8;
+        assert!(numbers("ball[1].vx").iter().all(|v| near(*v, 1.0)));
+        let [five, two, seven] = numbers("max:ball[4].x")[..] else { panic!("three cases") };
+        assert!(near(five, 4.0) && two.is_nan() && near(seven, 4.0), "{five} {two} {seven}");
+        let kinetic = numbers("kinetic");
+        assert!(near(kinetic[0], 15.0) && near(kinetic[1], 0.5) && near(kinetic[2], 45.5), "{kinetic:?}");
+    }
+}

@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::integrate::Method;
-use crate::model::Derived as _;
 use crate::simulate::Simulation;
 use std::cell::Cell as Counter;
 use std::fs;
@@ -24,36 +23,6 @@ crate::model! {
         start up { ball at (0, 0) angle 0 velocity (speed*cos(angle), speed*sin(angle)) rate 0; }
         scene flight { start up; until 5 s; until lands; }
     }
-}
-
-crate::model! {
-    /// Balls that fly apart.
-    pub model Volley {
-        count n = 5;
-        param v: m/s = 1;
-        body ball[n] { mass: 1, inertia: 1 }
-        start here { for i in 0..n { ball[i] at (0, 0) angle 0 velocity (v*i, 0) rate 0; } }
-        scene flies { start here; until 1 s; }
-    }
-}
-
-/// Ball i is at i m after 1 s, whatever the count of the case; two have no fifth.
-#[test]
-fn analytic_columns_of_other_counts_are_found_by_name() {
-    let run = |case: &Case<'_>| {
-        let mut scene = volley::Flies::default();
-        scene.set_count(0, case.get("n")? as usize);
-        Ok(case.run(Simulation::new(&scene))?)
-    };
-    let sweep = Sweep::new(&volley::Flies::default(), Plan::new().grid("n", [5.0, 2.0, 7.0]), run);
-    let table = sweep.keep(["ball[1].vx", "max:ball[4].x", "kinetic"]).run().unwrap();
-    let numbers = |name: &str| table.numbers(name).unwrap();
-    let near = |x: f64, y: f64| (x - y).abs() <= NEAR;
-    assert!(numbers("ball[1].vx").iter().all(|v| near(*v, 1.0)));
-    let [five, two, seven] = numbers("max:ball[4].x")[..] else { panic!("three cases") };
-    assert!(near(five, 4.0) && two.is_nan() && near(seven, 4.0), "{five} {two} {seven}");
-    let kinetic = numbers("kinetic");
-    assert!(near(kinetic[0], 15.0) && near(kinetic[1], 0.5) && near(kinetic[2], 45.5), "{kinetic:?}");
 }
 
 const SPEEDS: [f64; 3] = [5.0, 10.0, 20.0];

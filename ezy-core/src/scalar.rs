@@ -83,6 +83,14 @@ pub trait Scalar:
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
+    /// [sin, cos] of each of eight numbers. Those of `f64` are computed together, and differ from [`Self::sin_cos`] by up to two units in the last
+    /// place.
+    #[must_use]
+    #[inline(always)]
+    fn sin_cos_of_eight(x: &[Self; 8]) -> [[Self; 2]; 8] {
+        x.map(|x| x.sin_cos().into())
+    }
+
     /// Sine.
     #[must_use]
     #[inline(always)]

@@ -47,9 +47,8 @@ impl<P: SceneRef> Configuration<'_, P> {
     /// The same by factors of K.
     fn solve_accelerations(&mut self, v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Result<Solved, MotionError> {
         self.system.counters.evaluations += 1;
-        self.factor()?;
         self.write_right_side(v);
-        let solved = self.solve_in_buffer();
+        let solved = self.factor_and_solve()?;
         self.read_solution(a, lambda);
         Ok(solved)
     }
@@ -70,11 +69,10 @@ impl<P: SceneRef> Configuration<'_, P> {
 
     /// The same by factors of K.
     pub(super) fn solve_correction(&mut self, residual: &[f64], delta: &mut [f64]) -> Result<Solved, MotionError> {
-        self.factor()?;
         let right_side = &mut self.system.factors.right_side;
         right_side[..delta.len()].fill(0.0);
         right_side[delta.len()..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
-        let solved = self.solve_in_buffer();
+        let solved = self.factor_and_solve()?;
         delta.copy_from_slice(&self.system.factors.right_side[..delta.len()]);
         Ok(solved)
     }

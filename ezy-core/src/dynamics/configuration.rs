@@ -151,6 +151,20 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
     /// # Errors
     /// [`MotionError`] when a number is not finite or a coordinate is undetermined.
     pub(crate) fn factor(&mut self) -> Result<(), MotionError> {
+        self.factor_and(false)
+    }
+
+    /// As [`Self::factor`], then replaces the right side `[r; s]` in the buffer by `[x; y]`.
+    ///
+    /// # Errors
+    /// As [`Self::factor`].
+    pub(super) fn factor_and_solve(&mut self) -> Result<Solved, MotionError> {
+        self.factor_and(true)?;
+        Ok(self.solve_in_buffer())
+    }
+
+    /// [`Self::factor`]; sparse factors solve in the same sweep where that is asked for.
+    fn factor_and(&mut self, solves: bool) -> Result<(), MotionError> {
         let (t, q, rows) = (self.t, self.q, self.rows);
         if self.system.factors.are_of(t, q, rows) {
             return Ok(());
@@ -166,8 +180,12 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
             && rows != Rows::Held
             && active.off().is_empty()
         {
-            match kkt.factor(mass, &factors.jacobian) {
-                Ok(()) => made = Made::Sparse,
+            let factored = match solves {
+                true => kkt.factor_and_solve(mass, &factors.jacobian, &mut factors.right_side),
+                false => kkt.factor(mass, &factors.jacobian),
+            };
+            match factored {
+                Ok(()) => (made, factors.is_solved) = (Made::Sparse, solves),
                 Err(at) => vanished = Some(at.row),
             }
         }
@@ -193,7 +211,7 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         if is_singular && rows == Rows::Held {
             // held rows have come to depend on each other
             self.rows = Rows::Projected;
-            return self.factor();
+            return self.factor_and(solves);
         }
         if is_singular {
             return Err(self.why_singular());
@@ -221,10 +239,12 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
     pub(super) fn solve_in_buffer(&mut self) -> Solved {
         let smallest_pivot = self.pivot();
         let System { mass, geometry, solver, factors, .. } = &mut *self.system;
-        let Factors { made, dense, damped, jacobian, right_side, .. } = factors;
+        let Factors { made, dense, damped, jacobian, right_side, is_solved, .. } = factors;
         let (is_rank_deficient, left) = match (made, solver, dense, damped) {
             (Made::Sparse, Solver::Sparse(kkt), ..) => {
-                kkt.solve(right_side);
+                if !std::mem::take(is_solved) {
+                    kkt.solve(right_side);
+                }
                 (false, Left::default())
             }
             (Made::Damped(_), Solver::Sparse(kkt), _, Some(damped)) => {

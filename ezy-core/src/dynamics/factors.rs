@@ -29,6 +29,8 @@ pub(super) struct Factors {
     pub(super) rank: Option<Box<RankRevealing>>,
     /// `n_v + n_c`.
     pub right_side: Vec<f64>,
+    /// Whether the solution stands there already.
+    pub(super) is_solved: bool,
 }
 
 /// By which method.
@@ -53,6 +55,7 @@ impl Factors {
             ahead: Ahead::new([n_q, n_v], n_rows),
             rank: None,
             right_side: vec![0.0; n_v + n_rows],
+            is_solved: false,
         }
     }
 

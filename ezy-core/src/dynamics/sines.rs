@@ -1,6 +1,7 @@
 //! Sines and cosines of the angles of one configuration, which all kernels of a scene with counts share.
 
-use crate::model::coordinate::{N_OF_BODY, n_bodies, sine_and_cosine};
+use crate::model::coordinate::{N_OF_BODY, n_bodies, write_sines};
+use crate::scalar::in_widest;
 
 /// [sin φ, cos φ] of each body, kept until other angles are asked for. Empty in scenes whose kernels take none.
 pub(super) struct Sines {
@@ -22,10 +23,11 @@ impl Sines {
             let same = |(angle, [_, _, phi]): (&f64, &[f64; N_OF_BODY])| angle.to_bits() == phi.to_bits();
             // all are compared, without a branch at each
             if !self.angles.iter().zip(bodies).fold(true, |all, of| all & same(of)) {
-                for ((angle, sines), body) in self.angles.iter_mut().zip(&mut self.table).zip(bodies) {
-                    *angle = body[2];
-                    *sines = sine_and_cosine(body);
-                }
+                self.angles.iter_mut().zip(bodies).for_each(|(angle, [_, _, phi])| *angle = *phi);
+                in_widest(
+                    #[inline(always)]
+                    || write_sines(q, &mut self.table),
+                );
             }
         }
         &self.table
@@ -35,6 +37,7 @@ impl Sines {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::Scalar;
 
     /// Angles that change by one bit, or only in their sign, are others; x and y do not matter.
     #[test]
@@ -44,7 +47,8 @@ mod tests {
             for x in [0.0, 7.0] {
                 let table = sines.at(&[x, 1.0, first, 2.0, x, second]);
                 for (found, phi) in table.iter().zip([first, second]) {
-                    assert_eq!(found.map(f64::to_bits), [phi.sin(), phi.cos()].map(f64::to_bits), "{phi}");
+                    let [expected, ..] = f64::sin_cos_of_eight(&[phi; 8]);
+                    assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits), "{phi}");
                 }
                 assert_eq!(table.len(), 2);
             }

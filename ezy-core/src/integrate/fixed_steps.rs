@@ -117,16 +117,43 @@ pub(super) fn add<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slope: 
     add(&mut to.work, &from.work, &slope.work, &mut rest.work);
 }
 
+/// What a state holds, or the rates of that.
+#[derive(Clone, Copy)]
+pub(super) struct Numbers<'s, T> {
+    q: &'s [T],
+    v: &'s [T],
+    z: &'s [T],
+    work: &'s [T],
+}
+
+impl<'s, T> From<&'s State<T>> for Numbers<'s, T> {
+    fn from(State { q, v, z, work, .. }: &'s State<T>) -> Self {
+        Self { q, v, z, work }
+    }
+}
+
+impl<'s, T> From<Node<'s, T>> for Numbers<'s, T> {
+    /// The rates.
+    fn from(Node { q_rate, a, rate, power, .. }: Node<'s, T>) -> Self {
+        Self { q: q_rate, v: a, z: rate, work: power }
+    }
+}
+
 /// `to = from + h slope`. The time is left alone.
-pub(super) fn advance<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slope: &State<T>) {
-    let h = T::from_f64(h);
+pub(super) fn advance<'s, T: Scalar>(
+    to: &mut State<T>,
+    from: impl Into<Numbers<'s, T>>,
+    h: f64,
+    slope: impl Into<Numbers<'s, T>>,
+) {
+    let (h, from, slope) = (T::from_f64(h), from.into(), slope.into());
     let line = |to: &mut [T], from: &[T], slope: &[T]| {
         to.iter_mut().zip(from).zip(slope).for_each(|((to, from), slope)| *to = *from + h * *slope);
     };
-    line(&mut to.q, &from.q, &slope.q);
-    line(&mut to.v, &from.v, &slope.v);
+    line(&mut to.q, from.q, slope.q);
+    line(&mut to.v, from.v, slope.v);
     if !slope.z.is_empty() {
-        line(&mut to.z, &from.z, &slope.z);
+        line(&mut to.z, from.z, slope.z);
     }
-    line(&mut to.work, &from.work, &slope.work);
+    line(&mut to.work, from.work, slope.work);
 }

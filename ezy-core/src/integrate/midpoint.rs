@@ -58,11 +58,7 @@ impl<T: Scalar> Stages<T> for Midpoint<T> {
         to: &mut State<T>,
     ) -> Result<(), MotionError> {
         let Self { stage, slope, rest, lambda } = self;
-        slope.q.copy_from_slice(from.q_rate);
-        slope.v.copy_from_slice(from.a);
-        slope.z.copy_from_slice(from.rate);
-        slope.work.copy_from_slice(from.power);
-        advance(stage, from.state, 0.5 * h, slope);
+        advance(stage, from.state, 0.5 * h, from);
         stage.t = from.state.t + 0.5 * h;
         system.position_rates(&stage.q, &stage.v, &mut slope.q);
         system.place_states(&stage.z);

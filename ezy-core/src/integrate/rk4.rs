@@ -71,17 +71,15 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
         t_next: f64,
         to: &mut State<T>,
     ) -> Result<(), MotionError> {
-        let Node { state: from, q_rate, a, rate, power } = from;
-        self.slope.q.copy_from_slice(q_rate);
-        self.slope.v.copy_from_slice(a);
-        let has_states = !rate.is_empty();
-        if has_states {
-            self.slope.z.copy_from_slice(rate);
-        }
-        self.slope.work.copy_from_slice(power);
-        self.sum.copy_from(&self.slope);
-        for (t, c, b) in [(from.t + 0.5 * h, 0.5 * h, 2.0), (from.t + 0.5 * h, 0.5 * h, 2.0), (t_next, h, 1.0)] {
-            advance(&mut self.stage, from, c, &self.slope);
+        let (start, half) = (from.state, 0.5 * h);
+        let has_states = !from.rate.is_empty();
+        for (stage, (t, c, b)) in
+            [(start.t + half, half, 2.0), (start.t + half, half, 2.0), (t_next, h, 1.0)].into_iter().enumerate()
+        {
+            match stage {
+                0 => advance(&mut self.stage, start, c, from),
+                _ => advance(&mut self.stage, start, c, &self.slope),
+            }
             self.stage.t = t;
             system.position_rates(&self.stage.q, &self.stage.v, &mut self.slope.q);
             if has_states {
@@ -92,9 +90,12 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
                 system.state_rates(t, &self.stage.q, &self.stage.v, &mut self.slope.z);
             }
             system.power(t, &self.stage.q, &self.stage.v, &self.lambda, &mut self.slope.work);
-            accumulate(&mut self.sum, b, &self.slope);
+            match stage {
+                0 => advance(&mut self.sum, from, b, &self.slope),
+                _ => accumulate(&mut self.sum, b, &self.slope),
+            }
         }
-        add(to, from, h / 6.0, &self.sum, &mut self.rest);
+        add(to, start, h / 6.0, &self.sum, &mut self.rest);
         to.t = t_next;
         Ok(())
     }

@@ -15,6 +15,24 @@ pub(super) struct Joint {
     pub bodies: Vec<usize>,
 }
 
+impl Joint {
+    /// Each entry of its part of G: its number in the pattern, its row among those of the joint, and its column.
+    pub(super) fn entries(&self, pattern: &SparsityPattern) -> impl Iterator<Item = (usize, usize, usize)> {
+        (0..self.n_rows).flat_map(move |r| {
+            let row = self.first_row + r;
+            (pattern.starts[row]..pattern.starts[row + 1]).map(move |entry| (entry, r, pattern.columns[entry]))
+        })
+    }
+
+    /// The place of a body among those that it holds.
+    pub(super) fn side_of(&self, body: usize) -> Option<usize> {
+        self.bodies.iter().position(|&other| other == body)
+    }
+}
+
+/// Largest number of bodies that a joint holds.
+pub(super) const BODIES: usize = 2;
+
 /// The joints in the order of elimination, and the blocks of the factors.
 pub(super) struct Plan {
     pub joints: Vec<Joint>,
@@ -23,8 +41,8 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// None where a body is held by so many rows that they would all be coupled, sparse factors of K cost less, or an entry of G is the sum
-    /// of two.
+    /// None where a body is held by so many rows that they would all be coupled, sparse factors of K cost less, a row holds more than two bodies,
+    /// or an entry of G is the sum of two.
     pub(super) fn new(n_q: usize, pattern: &SparsityPattern, n_rows: usize) -> Option<Self> {
         let joints = joints(pattern, n_rows)?;
         let mut of_body = vec![Vec::new(); n_q.div_ceil(N_OF_BODY)];
@@ -52,7 +70,7 @@ impl Plan {
     }
 }
 
-/// Rows one behind the other that hold the same bodies; none where an entry of G is the sum of two.
+/// Rows one behind the other that hold the same bodies; none where one holds more than two, or an entry of G is the sum of two.
 fn joints(pattern: &SparsityPattern, n_rows: usize) -> Option<Vec<Joint>> {
     let mut joints: Vec<Joint> = Vec::new();
     for row in 0..n_rows {
@@ -66,6 +84,9 @@ fn joints(pattern: &SparsityPattern, n_rows: usize) -> Option<Vec<Joint>> {
         let mut bodies: Vec<usize> = columns.iter().map(|&column| body_and_component(column).0).collect();
         bodies.sort_unstable();
         bodies.dedup();
+        if bodies.len() > BODIES {
+            return None;
+        }
         match joints.last_mut() {
             Some(last) if last.bodies == bodies && last.n_rows < 3 => last.n_rows += 1,
             _ => joints.push(Joint { first_row: row, n_rows: 1, bodies }),

@@ -101,6 +101,21 @@ pub trait KktFactorization: Send {
     /// Replaces `[r; s]` (`n_q + n_c`) by `[x; y]`, with the factors of the last successful [`Self::factor`].
     fn solve(&mut self, right_side: &mut [f64]);
 
+    /// [`Self::factor`], then [`Self::solve`]; where that fails `right_side` is left as it was.
+    ///
+    /// # Errors
+    /// As [`Self::factor`].
+    fn factor_and_solve(
+        &mut self,
+        mass: &[f64],
+        jacobian: &[f64],
+        right_side: &mut [f64],
+    ) -> Result<(), VanishedPivot> {
+        self.factor(mass, jacobian)?;
+        self.solve(right_side);
+        Ok(())
+    }
+
     /// What is factored, and what it costs.
     fn describe(&self) -> String;
 }

@@ -32,13 +32,19 @@ pub(crate) const fn is_angle(coordinate: usize) -> bool {
     body_and_component(coordinate).1 == 2
 }
 
-/// Sine and cosine of the angle of each planar body.
+/// [sin φ, cos φ] of each planar body.
 pub fn sines<T: Scalar>(q: &[T]) -> Vec<[T; 2]> {
-    q.as_chunks().0.iter().map(sine_and_cosine).collect()
+    let mut table = vec![[T::from_f64(0.0); 2]; n_bodies(q.len())];
+    write_sines(q, &mut table);
+    table
 }
 
-/// Of the angle of one body.
-#[inline]
-pub(crate) fn sine_and_cosine<T: Scalar>([_, _, phi]: &[T; N_OF_BODY]) -> [T; 2] {
-    phi.sin_cos().into()
+/// Writes [sin φ, cos φ] of each planar body.
+#[inline(always)]
+pub(crate) fn write_sines<T: Scalar>(q: &[T], table: &mut [[T; 2]]) {
+    let bodies = q.as_chunks::<N_OF_BODY>().0;
+    for (bodies, table) in bodies.chunks(8).zip(table.chunks_mut(8)) {
+        let angles = std::array::from_fn(|i| bodies.get(i).map_or(T::from_f64(0.0), |[_, _, phi]| *phi));
+        table.copy_from_slice(&T::sin_cos_of_eight(&angles)[..table.len()]);
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::Scalar;
+use super::{Lanes, Scalar};
 
 /// Methods of [`Scalar`] that are those of `f64` by the same names.
 macro_rules! as_in_std {
@@ -34,6 +34,12 @@ impl Scalar for f64 {
         max(other) -> Self;
         powf(exponent) -> Self;
         is_finite() -> bool;
+    }
+
+    #[inline(always)]
+    fn sin_cos_of_eight(x: &[Self; 8]) -> [[Self; 2]; 8] {
+        let (Lanes(sin), Lanes(cos)) = Lanes(*x).sin_cos();
+        std::array::from_fn(|i| [sin[i], cos[i]])
     }
 
     #[inline(always)]

@@ -1,0 +1,88 @@
+//! How a joint keeps its part of Γ = G M^−½: as much as its rows can have.
+
+use super::{Block, Column};
+use crate::model::coordinate::N_OF_BODY;
+
+/// How the part of Γ = G M^−½ that one joint has of one body is kept, in `N` numbers. Γ Γᵀ is A, and nothing else asks for masses.
+pub(super) trait Form<const B: usize, const N: usize>: Send {
+    /// Whether all joints have `B` rows.
+    const WHOLE: bool;
+
+    /// Where the entry of a row and a component stands; none where it always is zero.
+    fn place(row: usize, component: usize) -> Option<usize>;
+
+    /// `a bᵀ` for the same body.
+    fn product(a: &[f64; N], b: &[f64; N]) -> Block<B>;
+
+    /// `sum += slot x`.
+    fn add(sum: &mut Column<B>, slot: &[f64; N], x: &[f64; N_OF_BODY]);
+
+    /// `x −= slotᵀ y`.
+    fn subtract_transposed(x: &mut [f64; N_OF_BODY], slot: &[f64; N], y: &Column<B>);
+}
+
+/// Column after column.
+pub(super) struct Full;
+
+impl<const B: usize, const N: usize> Form<B, N> for Full {
+    const WHOLE: bool = false;
+
+    fn place(row: usize, component: usize) -> Option<usize> {
+        Some(component * B + row)
+    }
+
+    #[inline]
+    fn product(a: &[f64; N], b: &[f64; N]) -> Block<B> {
+        let mut block = [[0.0; B]; B];
+        for (a, b) in a.chunks_exact(B).zip(b.chunks_exact(B)) {
+            for (column, b) in block.iter_mut().zip(b) {
+                column.iter_mut().zip(a).for_each(|(entry, a)| *entry += a * b);
+            }
+        }
+        block
+    }
+
+    #[inline]
+    fn add(sum: &mut Column<B>, slot: &[f64; N], x: &[f64; N_OF_BODY]) {
+        for (column, x) in slot.chunks_exact(B).zip(x) {
+            sum.iter_mut().zip(column).for_each(|(sum, g)| *sum += g * x);
+        }
+    }
+
+    #[inline]
+    fn subtract_transposed(x: &mut [f64; N_OF_BODY], slot: &[f64; N], y: &Column<B>) {
+        for (x, column) in x.iter_mut().zip(slot.chunks_exact(B)) {
+            *x -= column.iter().zip(y).map(|(g, y)| g * y).sum::<f64>();
+        }
+    }
+}
+
+/// Of joints of two rows, of which the first has nothing of y and the second nothing of x, as a hinge: x of the first, y of the second, φ of both.
+pub(super) struct Aligned;
+
+impl Form<2, 4> for Aligned {
+    const WHOLE: bool = true;
+
+    fn place(row: usize, component: usize) -> Option<usize> {
+        match component {
+            2 => Some(2 + row),
+            _ => (component == row).then_some(row),
+        }
+    }
+
+    #[inline]
+    fn product(a: &[f64; 4], b: &[f64; 4]) -> Block<2> {
+        [[a[2] * b[2] + a[0] * b[0], a[3] * b[2]], [a[2] * b[3], a[3] * b[3] + a[1] * b[1]]]
+    }
+
+    #[inline]
+    fn add(sum: &mut Column<2>, slot: &[f64; 4], [x, y, phi]: &[f64; N_OF_BODY]) {
+        *sum = [sum[0] + (slot[0] * x + slot[2] * phi), sum[1] + (slot[1] * y + slot[3] * phi)];
+    }
+
+    #[inline]
+    fn subtract_transposed([x, y, phi]: &mut [f64; N_OF_BODY], slot: &[f64; 4], of: &Column<2>) {
+        (*x, *y) = (*x - slot[0] * of[0], *y - slot[1] * of[1]);
+        *phi -= slot[2] * of[0] + slot[3] * of[1];
+    }
+}

@@ -27,20 +27,28 @@ pub struct Lanes<const L: usize>(pub [f64; L]);
 impl<const L: usize> Lanes<L> {
     #[inline(always)]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        let mut out = self.0;
-        for i in 0..L {
-            out[i] = f(out[i]);
-        }
-        Self(out)
+        self.zip(self, |x, _| f(x))
     }
 
+    /// Eight lanes are written out: a kernel has hundreds of operations, and as many loops take an eighth longer to compile.
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        let mut out = self.0;
-        for i in 0..L {
-            out[i] = f(out[i], other.0[i]);
+        let (mut x, y) = (self.0, other.0);
+        if L == 8 {
+            x[0] = f(x[0], y[0]);
+            x[1] = f(x[1], y[1]);
+            x[2] = f(x[2], y[2]);
+            x[3] = f(x[3], y[3]);
+            x[4] = f(x[4], y[4]);
+            x[5] = f(x[5], y[5]);
+            x[6] = f(x[6], y[6]);
+            x[7] = f(x[7], y[7]);
+        } else {
+            for i in 0..L {
+                x[i] = f(x[i], y[i]);
+            }
         }
-        Self(out)
+        Self(x)
     }
 }
 

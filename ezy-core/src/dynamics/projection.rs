@@ -8,7 +8,7 @@ use super::tolerances::projection::{
 };
 use super::{MotionError, Projected, System, Worst, max_abs};
 use crate::linalg::{INDEPENDENT, Independent};
-use crate::model::{Equations as _, SceneRef, body_kind};
+use crate::model::{Derived as _, Equations as _, SceneRef, body_kind};
 
 /// What is projected after each step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

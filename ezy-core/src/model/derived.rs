@@ -2,7 +2,7 @@
 
 #[cfg(feature = "analysis")]
 use super::EquationsWithDerivatives;
-use super::{ElementInfo, Equations, EquationsInLanes, ForceElement, List, PreciseScene, Series};
+use super::{ElementInfo, Equations, EquationsInLanes, ForceElement, List, Pivots, PreciseScene, Series};
 #[cfg(feature = "export")]
 use crate::scalar::Recorded;
 
@@ -20,6 +20,22 @@ pub trait Derived: Equations<f64> {
     /// Changes count `index`, and with it the description and all constants.
     fn set_count(&mut self, index: usize, value: usize) {
         let _ = (index, value);
+    }
+
+    /// What the end of a step needs, with one elimination for all of it: [`Equations::velocity_constraint`] at `v`, the velocities
+    /// after [`Equations::correction`], and [`Equations::accelerations`] at these. Writes them one behind the other:
+    /// `n_c` residuals, `n_q` velocities, `n_q` accelerations, `n_c` multipliers.
+    ///
+    /// A run in `f64` alone asks for it: in other numbers it is not compiled.
+    fn projected_accelerations(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) -> Pivots {
+        let (residual, out) = out.split_at_mut(out.len() / 2 - v.len());
+        let (projected, out) = out.split_at_mut(v.len());
+        let (a, lambda) = out.split_at_mut(v.len());
+        self.velocity_constraint(c, t, q, v, residual);
+        // the pivots are those of the accelerations
+        let _ = self.correction(c, t, q, residual, projected);
+        projected.iter_mut().zip(v).for_each(|(delta, v)| *delta += v);
+        self.accelerations(c, t, q, projected, a, lambda)
     }
 
     /// Row and column of each entry of the Jacobians of the equations of motion; `None` for a scene without them. Scenes that

@@ -98,20 +98,6 @@ pub trait Equations<T: Scalar>: Send + Sync {
         let _ = (c, t, q, residual, delta);
         Pivots::ALL_VANISHED
     }
-
-    /// What the end of a step needs, with one elimination for all of it: [`Equations::velocity_constraint`] at `v`, the velocities
-    /// after [`Equations::correction`], and [`Equations::accelerations`] at these. Writes them one behind the other:
-    /// `n_c` residuals, `n_q` velocities, `n_q` accelerations, `n_c` multipliers.
-    fn projected_accelerations(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) -> Pivots {
-        let (residual, out) = out.split_at_mut(out.len() / 2 - v.len());
-        let (projected, out) = out.split_at_mut(v.len());
-        let (a, lambda) = out.split_at_mut(v.len());
-        self.velocity_constraint(c, t, q, v, residual);
-        // the pivots are those of the accelerations
-        let _ = self.correction(c, t, q, residual, projected);
-        projected.iter_mut().zip(v).for_each(|(delta, v)| *delta = *v + *delta);
-        self.accelerations(c, t, q, projected, a, lambda)
-    }
 }
 
 /// Equations and Taylor series of a scene in numbers of twice the length of `f64`, as one trait object.

@@ -88,7 +88,7 @@ pub const ALL: [Signature; 26] = [
     any(Quantity::Events, "events", &["t", "q", "v"], OUT),
     any(Quantity::Accelerations, "accelerations", &["t", "q", "v"], Writes::Solution(&["a", "lambda"])),
     any(Quantity::Correction, "correction", &["t", "q", "residual"], Writes::Solution(&["delta"])),
-    any(Quantity::ProjectedAccelerations, "projected_accelerations", &["t", "q", "v"], Writes::Solution(&["out"])),
+    derived(Quantity::ProjectedAccelerations, "projected_accelerations", &["t", "q", "v"], Writes::Solution(&["out"])),
     scene(Quantity::Power, "power", &["t", "q", "v", "lambda"], OUT),
     scene(Quantity::Points, "points", &["t", "q"], OUT),
     derived(Quantity::LimitedSkates, "limited_skates", &["t", "q", "v"], OUT),
@@ -122,12 +122,23 @@ const fn series(quantity: Quantity, name: &'static str, reads: &'static [&'stati
 }
 
 impl Signature {
-    /// Equations and series are written for any number.
+    /// Equations and series are written for any number, and so are the projected accelerations, which are made of equations.
     pub const fn numbers(&self) -> Numbers {
-        match self.of {
-            Trait::Equations | Trait::Series => Numbers::Any,
-            Trait::Derived | Trait::Scene => Numbers::F64,
+        match (self.of, self.quantity) {
+            (Trait::Equations | Trait::Series, _) | (_, Quantity::ProjectedAccelerations) => Numbers::Any,
+            (Trait::Derived | Trait::Scene, _) => Numbers::F64,
         }
+    }
+
+    /// What stands for any number where the trait has `f64` alone. So each number of other types compiles one kernel less.
+    fn any_is_f64(&self) -> Option<TokenStream> {
+        let is_so = self.of == Trait::Derived && self.numbers() == Numbers::Any;
+        is_so.then(|| {
+            quote!(
+                use ezy::Scalar as _;
+                type T = f64;
+            )
+        })
     }
 
     /// The method that takes sines and cosines of the angles of all bodies, for what each step of a scene with counts computes.
@@ -159,7 +170,9 @@ impl Signature {
 
     /// The method around what it does. Orders of a series are computed by straight lines in one function.
     pub fn method(&self, body: TokenStream, is_straight: bool) -> TokenStream {
-        let (name, number) = (argument(self.name), self.numbers().name());
+        let any_is_f64 = self.any_is_f64();
+        let number = if any_is_f64.is_some() { Numbers::F64 } else { self.numbers() }.name();
+        let name = argument(self.name);
         let reads = self.reads.iter().map(|&read| {
             let name = argument(read);
             match read {
@@ -194,6 +207,7 @@ impl Signature {
         quote! {
             #inline
             fn #name(&self, c: &[#number], #(#arguments),*) #result {
+                #any_is_f64
                 #body
             }
         }

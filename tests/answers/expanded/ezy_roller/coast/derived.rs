@@ -1,5 +1,222 @@
 #[automatically_derived]
 impl ezy::Derived for Coast {
+    #[inline]
+    fn projected_accelerations(
+        &self,
+        c: &[f64],
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        out: &mut [f64],
+    ) -> ezy::Pivots {
+        use ezy::Scalar as _;
+        type T = f64;
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<20usize, T>(out);
+        let seat_vx = v[0usize];
+        let b = c[4usize];
+        let seat_omega = v[2usize];
+        let b_seat_omega = b * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let bar_vx = v[3usize];
+        let d = c[5usize];
+        let bar_omega = v[5usize];
+        let d_bar_omega = d * bar_omega;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let difference_18 = T::fused(
+            -d_bar_omega,
+            sin_bar_phi,
+            T::fused(-b_seat_omega, sin_seat_phi, seat_vx) - bar_vx,
+        );
+        let seat_vy = v[1usize];
+        let bar_vy = v[4usize];
+        let sum_27 = T::fused(
+            d_bar_omega,
+            cos_bar_phi,
+            T::fused(b_seat_omega, cos_seat_phi, seat_vy - bar_vy),
+        );
+        let parameter_a = c[21usize];
+        let projection_right_side_rear = T::fused(
+            seat_vy,
+            cos_seat_phi,
+            -T::fused(seat_vx, sin_seat_phi, seat_omega * parameter_a),
+        );
+        let parameter_c = c[22usize];
+        let projection_right_side_front = T::fused(
+            bar_vy,
+            cos_bar_phi,
+            T::fused(-bar_vx, sin_bar_phi, bar_omega * parameter_c),
+        );
+        let k42 = c[0usize];
+        let k47 = c[1usize];
+        let sum_46 = T::fused(
+            cos_bar_phi,
+            cos_bar_phi * k47,
+            cos_seat_phi * (cos_seat_phi * k42),
+        );
+        let k46 = c[2usize];
+        let A_B_x_B_x = sum_46 + k46;
+        let A_B_x_B_y = T::fused(
+            cos_bar_phi,
+            sin_bar_phi * k47,
+            cos_seat_phi * (sin_seat_phi * k42),
+        );
+        let one_over_m1_plus_one_over_m2 = c[3usize];
+        let A_B_y_B_y = one_over_m1_plus_one_over_m2 - sum_46;
+        let k39 = c[6usize];
+        let product_57 = projection_right_side_rear * k39;
+        let k44 = c[7usize];
+        let product_61 = projection_right_side_front * k44;
+        let right_side_B_x = T::fused(
+            -sin_bar_phi,
+            product_61,
+            T::fused(-sin_seat_phi, product_57, difference_18),
+        );
+        let right_side_B_y = T::fused(
+            cos_bar_phi,
+            product_61,
+            T::fused(cos_seat_phi, product_57, sum_27),
+        );
+        let pivot_B_x_B_y = T::fused(-A_B_x_B_y, A_B_x_B_y, A_B_x_B_x * A_B_y_B_y);
+        let one_over_pivot_B_x_B_y = T::from_f64(1f64) / pivot_B_x_B_y;
+        let projection_lambda_B_x = one_over_pivot_B_x_B_y
+            * T::fused(-A_B_x_B_y, right_side_B_y, A_B_y_B_y * right_side_B_x);
+        let projection_lambda_B_y = one_over_pivot_B_x_B_y
+            * T::fused(-A_B_x_B_y, right_side_B_x, A_B_x_B_x * right_side_B_y);
+        let difference_82 = T::fused(
+            -sin_bar_phi,
+            projection_lambda_B_x,
+            cos_bar_phi * projection_lambda_B_y,
+        );
+        let k43 = c[8usize];
+        let projection_lambda_front = T::fused(
+            projection_right_side_front,
+            k43,
+            k44 * difference_82,
+        );
+        let difference_89 = T::fused(
+            -sin_seat_phi,
+            projection_lambda_B_x,
+            cos_seat_phi * projection_lambda_B_y,
+        );
+        let k38 = c[9usize];
+        let projection_lambda_rear = T::fused(
+            projection_right_side_rear,
+            k38,
+            k39 * difference_89,
+        );
+        let one_over_m1 = c[10usize];
+        let b_over_i1 = c[11usize];
+        let a_over_i1 = c[12usize];
+        let one_over_m2 = c[13usize];
+        let d_over_i2 = c[14usize];
+        let c_over_i2 = c[15usize];
+        let k34 = c[16usize];
+        let k53 = c[17usize];
+        let k37 = c[18usize];
+        let k54 = c[19usize];
+        let k57 = c[20usize];
+        let projected_seat_vx = T::fused(
+            T::fused(sin_seat_phi, projection_lambda_rear, -projection_lambda_B_x),
+            one_over_m1,
+            seat_vx,
+        );
+        let projected_seat_vy = T::fused(
+            -one_over_m1,
+            T::fused(cos_seat_phi, projection_lambda_rear, projection_lambda_B_y),
+            seat_vy,
+        );
+        let projected_seat_omega = seat_omega
+            + T::fused(-difference_89, b_over_i1, projection_lambda_rear * a_over_i1);
+        let projected_bar_vx = T::fused(
+            T::fused(sin_bar_phi, projection_lambda_front, projection_lambda_B_x),
+            one_over_m2,
+            bar_vx,
+        );
+        let projected_bar_vy = T::fused(
+            one_over_m2,
+            T::fused(-cos_bar_phi, projection_lambda_front, projection_lambda_B_y),
+            bar_vy,
+        );
+        let projected_bar_omega = bar_omega
+            - T::fused(projection_lambda_front, c_over_i2, difference_82 * d_over_i2);
+        let minus_right_side_rear = projected_seat_omega
+            * T::fused(
+                sin_seat_phi,
+                projected_seat_vy,
+                cos_seat_phi * projected_seat_vx,
+            );
+        let minus_right_side_front = projected_bar_omega
+            * T::fused(sin_bar_phi, projected_bar_vy, cos_bar_phi * projected_bar_vx);
+        let product_138 = projected_seat_omega * (b * projected_seat_omega);
+        let product_141 = projected_bar_omega * (d * projected_bar_omega);
+        let k39_minus_right_side_rear = k39 * minus_right_side_rear;
+        let difference_146 = T::fused(
+            sin_seat_phi,
+            k39_minus_right_side_rear,
+            -T::fused(cos_bar_phi, product_141, cos_seat_phi * product_138),
+        );
+        let k44_minus_right_side_front = k44 * minus_right_side_front;
+        let right_side_B_x_ = T::fused(
+            sin_bar_phi,
+            k44_minus_right_side_front,
+            difference_146,
+        );
+        let sum_154 = T::fused(
+            cos_seat_phi,
+            k39_minus_right_side_rear,
+            T::fused(sin_bar_phi, product_141, sin_seat_phi * product_138),
+        );
+        let minus_right_side_B_y = T::fused(
+            cos_bar_phi,
+            k44_minus_right_side_front,
+            sum_154,
+        );
+        let lambda_B_x = one_over_pivot_B_x_B_y
+            * T::fused(A_B_x_B_y, minus_right_side_B_y, A_B_y_B_y * right_side_B_x_);
+        let minus_lambda_B_y = one_over_pivot_B_x_B_y
+            * T::fused(A_B_x_B_x, minus_right_side_B_y, A_B_x_B_y * right_side_B_x_);
+        let sum_167 = T::fused(cos_bar_phi, minus_lambda_B_y, sin_bar_phi * lambda_B_x);
+        let minus_lambda_front = T::fused(k43, minus_right_side_front, k44 * sum_167);
+        let sum_173 = T::fused(
+            cos_seat_phi,
+            minus_lambda_B_y,
+            sin_seat_phi * lambda_B_x,
+        );
+        let minus_lambda_rear = T::fused(k38, minus_right_side_rear, k39 * sum_173);
+        out[0usize] = difference_18;
+        out[1usize] = sum_27;
+        out[2usize] = projection_right_side_rear;
+        out[3usize] = projection_right_side_front;
+        out[4usize] = projected_seat_vx;
+        out[5usize] = projected_seat_vy;
+        out[6usize] = projected_seat_omega;
+        out[7usize] = projected_bar_vx;
+        out[8usize] = projected_bar_vy;
+        out[9usize] = projected_bar_omega;
+        out[10usize] = -(one_over_m1
+            * T::fused(sin_seat_phi, minus_lambda_rear, lambda_B_x));
+        out[11usize] = one_over_m1
+            * T::fused(cos_seat_phi, minus_lambda_rear, minus_lambda_B_y);
+        out[12usize] = T::fused(-a_over_i1, minus_lambda_rear, b_over_i1 * sum_173);
+        out[13usize] = one_over_m2
+            * T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
+        out[14usize] = one_over_m2
+            * T::fused(cos_bar_phi, minus_lambda_front, -minus_lambda_B_y);
+        out[15usize] = T::fused(c_over_i2, minus_lambda_front, d_over_i2 * sum_167);
+        out[16usize] = lambda_B_x;
+        out[17usize] = -minus_lambda_B_y;
+        out[18usize] = -minus_lambda_rear;
+        out[19usize] = -minus_lambda_front;
+        ezy::Pivots::new()
+            .see(&[2usize], T::least_ratio(k34, k53))
+            .see(&[3usize], T::least_ratio(k37, k54))
+            .see(&[0usize, 1usize], T::least_ratio(pivot_B_x_B_y, k57))
+    }
     fn jacobian_places(&self) -> ::core::option::Option<ezy::JacobianPlaces> {
         ::core::option::Option::Some(ezy::JacobianPlaces {
             by_q: ::std::vec![

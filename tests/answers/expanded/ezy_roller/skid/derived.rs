@@ -1,5 +1,257 @@
 #[automatically_derived]
 impl ezy::Derived for Skid {
+    #[inline]
+    fn projected_accelerations(
+        &self,
+        c: &[f64],
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        out: &mut [f64],
+    ) -> ezy::Pivots {
+        use ezy::Scalar as _;
+        type T = f64;
+        let c = ezy::array::<45usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<20usize, T>(out);
+        let seat_vx = v[0usize];
+        let bar_vx = v[3usize];
+        let d = c[17usize];
+        let bar_omega = v[5usize];
+        let d_bar_omega = d * bar_omega;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let b = c[16usize];
+        let seat_omega = v[2usize];
+        let b_seat_omega = b * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let difference_18 = T::fused(
+            -b_seat_omega,
+            sin_seat_phi,
+            T::fused(-d_bar_omega, sin_bar_phi, seat_vx - bar_vx),
+        );
+        let seat_vy = v[1usize];
+        let bar_vy = v[4usize];
+        let sum_27 = T::fused(
+            b_seat_omega,
+            cos_seat_phi,
+            T::fused(d_bar_omega, cos_bar_phi, seat_vy - bar_vy),
+        );
+        let parameter_c = c[32usize];
+        let projection_right_side_front = T::fused(
+            bar_vy,
+            cos_bar_phi,
+            T::fused(-bar_vx, sin_bar_phi, bar_omega * parameter_c),
+        );
+        let rear_on_ice_holds = c[4usize];
+        let product_38 = T::fused(-seat_vx, sin_seat_phi, seat_vy * cos_seat_phi)
+            * rear_on_ice_holds;
+        let a_rear_on_ice_holds = c[33usize];
+        let projection_right_side_rear_on_ice = T::fused(
+            -seat_omega,
+            a_rear_on_ice_holds,
+            product_38,
+        );
+        let k67 = c[7usize];
+        let k62 = c[8usize];
+        let sum_48 = T::fused(
+            cos_bar_phi,
+            cos_bar_phi * k62,
+            cos_seat_phi * (cos_seat_phi * k67),
+        );
+        let k66 = c[9usize];
+        let A_B_x_B_x = sum_48 + k66;
+        let A_B_x_B_y = T::fused(
+            cos_bar_phi,
+            sin_bar_phi * k62,
+            cos_seat_phi * (sin_seat_phi * k67),
+        );
+        let one_over_m1_plus_one_over_m2 = c[10usize];
+        let A_B_y_B_y = one_over_m1_plus_one_over_m2 - sum_48;
+        let k59 = c[15usize];
+        let product_59 = projection_right_side_front * k59;
+        let k64 = c[13usize];
+        let product_63 = projection_right_side_rear_on_ice * k64;
+        let right_side_B_x = T::fused(
+            -sin_seat_phi,
+            product_63,
+            T::fused(-sin_bar_phi, product_59, difference_18),
+        );
+        let right_side_B_y = T::fused(
+            cos_seat_phi,
+            product_63,
+            T::fused(cos_bar_phi, product_59, sum_27),
+        );
+        let pivot_B_x_B_y = T::fused(-A_B_x_B_y, A_B_x_B_y, A_B_x_B_x * A_B_y_B_y);
+        let one_over_pivot_B_x_B_y = T::from_f64(1f64) / pivot_B_x_B_y;
+        let projection_lambda_B_x = one_over_pivot_B_x_B_y
+            * T::fused(-A_B_x_B_y, right_side_B_y, A_B_y_B_y * right_side_B_x);
+        let projection_lambda_B_y = one_over_pivot_B_x_B_y
+            * T::fused(-A_B_x_B_y, right_side_B_x, A_B_x_B_x * right_side_B_y);
+        let difference_84 = T::fused(
+            -sin_seat_phi,
+            projection_lambda_B_x,
+            cos_seat_phi * projection_lambda_B_y,
+        );
+        let k63 = c[18usize];
+        let projection_lambda_rear_on_ice = T::fused(
+            projection_right_side_rear_on_ice,
+            k63,
+            k64 * difference_84,
+        );
+        let difference_91 = T::fused(
+            -sin_bar_phi,
+            projection_lambda_B_x,
+            cos_bar_phi * projection_lambda_B_y,
+        );
+        let k58 = c[19usize];
+        let projection_lambda_front = T::fused(
+            projection_right_side_front,
+            k58,
+            k59 * difference_91,
+        );
+        let one_over_m1 = c[21usize];
+        let rear_on_ice_holds_over_m1 = c[20usize];
+        let product_99 = projection_lambda_rear_on_ice * rear_on_ice_holds_over_m1;
+        let b_over_i1 = c[12usize];
+        let a_rear_on_ice_holds_over_i1 = c[5usize];
+        let one_over_m2 = c[23usize];
+        let d_over_i2 = c[24usize];
+        let c_over_i2 = c[26usize];
+        let k50 = c[27usize];
+        let k72 = c[28usize];
+        let k57 = c[29usize];
+        let k73 = c[30usize];
+        let k76 = c[31usize];
+        let projected_seat_vx = seat_vx
+            + T::fused(-projection_lambda_B_x, one_over_m1, sin_seat_phi * product_99);
+        let projected_seat_vy = seat_vy
+            - T::fused(cos_seat_phi, product_99, projection_lambda_B_y * one_over_m1);
+        let projected_seat_omega = seat_omega
+            + T::fused(
+                -difference_84,
+                b_over_i1,
+                projection_lambda_rear_on_ice * a_rear_on_ice_holds_over_i1,
+            );
+        let projected_bar_vx = T::fused(
+            T::fused(sin_bar_phi, projection_lambda_front, projection_lambda_B_x),
+            one_over_m2,
+            bar_vx,
+        );
+        let projected_bar_vy = T::fused(
+            one_over_m2,
+            T::fused(-cos_bar_phi, projection_lambda_front, projection_lambda_B_y),
+            bar_vy,
+        );
+        let projected_bar_omega = bar_omega
+            - T::fused(projection_lambda_front, c_over_i2, difference_91 * d_over_i2);
+        let m0 = c[0usize];
+        let omega = c[1usize];
+        let cos_omega_t = T::cos(omega * t);
+        let hold_rear_on_ice_side_a = c[2usize];
+        let force_seat_phi = T::fused(m0, cos_omega_t, hold_rear_on_ice_side_a);
+        let product_144 = projected_bar_omega
+            * T::fused(sin_bar_phi, projected_bar_vy, cos_bar_phi * projected_bar_vx);
+        let c_m0_over_i2 = c[3usize];
+        let minus_right_side_front = T::fused(cos_omega_t, c_m0_over_i2, product_144);
+        let product_151 = projected_seat_omega
+            * T::fused(
+                sin_seat_phi,
+                projected_seat_vy,
+                cos_seat_phi * projected_seat_vx,
+            );
+        let k31 = c[6usize];
+        let minus_right_side_rear_on_ice = T::fused(
+            a_rear_on_ice_holds_over_i1,
+            force_seat_phi,
+            rear_on_ice_holds * product_151,
+        ) + k31;
+        let k21 = c[11usize];
+        let sum_161 = T::fused(
+            k64,
+            minus_right_side_rear_on_ice,
+            T::fused(-b_over_i1, force_seat_phi, k21),
+        );
+        let d_m0_over_i2 = c[14usize];
+        let sum_166 = T::fused(k59, minus_right_side_front, cos_omega_t * d_m0_over_i2);
+        let product_170 = projected_seat_omega * (b * projected_seat_omega);
+        let difference_172 = T::fused(
+            -cos_seat_phi,
+            product_170,
+            T::fused(sin_bar_phi, sum_166, sin_seat_phi * sum_161),
+        );
+        let product_174 = projected_bar_omega * (d * projected_bar_omega);
+        let right_side_B_x_ = T::fused(-cos_bar_phi, product_174, difference_172);
+        let sum_181 = T::fused(
+            sin_seat_phi,
+            product_170,
+            T::fused(cos_bar_phi, sum_166, cos_seat_phi * sum_161),
+        );
+        let minus_right_side_B_y = T::fused(sin_bar_phi, product_174, sum_181);
+        let lambda_B_x = one_over_pivot_B_x_B_y
+            * T::fused(A_B_x_B_y, minus_right_side_B_y, A_B_y_B_y * right_side_B_x_);
+        let minus_lambda_B_y = one_over_pivot_B_x_B_y
+            * T::fused(A_B_x_B_x, minus_right_side_B_y, A_B_x_B_y * right_side_B_x_);
+        let sum_194 = T::fused(
+            cos_seat_phi,
+            minus_lambda_B_y,
+            sin_seat_phi * lambda_B_x,
+        );
+        let minus_lambda_rear_on_ice = T::fused(
+            k63,
+            minus_right_side_rear_on_ice,
+            k64 * sum_194,
+        );
+        let sum_200 = T::fused(cos_bar_phi, minus_lambda_B_y, sin_bar_phi * lambda_B_x);
+        let minus_lambda_front = T::fused(k58, minus_right_side_front, k59 * sum_200);
+        let difference_205 = T::fused(
+            -rear_on_ice_holds_over_m1,
+            minus_lambda_rear_on_ice,
+            k21,
+        );
+        let one_over_i1 = c[22usize];
+        let m0_over_i2 = c[25usize];
+        out[0usize] = difference_18;
+        out[1usize] = sum_27;
+        out[2usize] = projection_right_side_front;
+        out[3usize] = projection_right_side_rear_on_ice;
+        out[4usize] = projected_seat_vx;
+        out[5usize] = projected_seat_vy;
+        out[6usize] = projected_seat_omega;
+        out[7usize] = projected_bar_vx;
+        out[8usize] = projected_bar_vy;
+        out[9usize] = projected_bar_omega;
+        out[10usize] = T::fused(-one_over_m1, lambda_B_x, sin_seat_phi * difference_205);
+        out[11usize] = T::fused(
+            -cos_seat_phi,
+            difference_205,
+            one_over_m1 * minus_lambda_B_y,
+        );
+        out[12usize] = T::fused(
+            -a_rear_on_ice_holds_over_i1,
+            minus_lambda_rear_on_ice,
+            T::fused(force_seat_phi, one_over_i1, b_over_i1 * sum_194),
+        );
+        out[13usize] = one_over_m2
+            * T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
+        out[14usize] = one_over_m2
+            * T::fused(cos_bar_phi, minus_lambda_front, -minus_lambda_B_y);
+        out[15usize] = T::fused(
+            c_over_i2,
+            minus_lambda_front,
+            T::fused(-cos_omega_t, m0_over_i2, d_over_i2 * sum_200),
+        );
+        out[16usize] = lambda_B_x;
+        out[17usize] = -minus_lambda_B_y;
+        out[18usize] = -minus_lambda_front;
+        out[19usize] = -minus_lambda_rear_on_ice;
+        ezy::Pivots::new()
+            .see(&[2usize], T::least_ratio(k50, k72))
+            .see(&[3usize], T::least_ratio(k57, k73))
+            .see(&[0usize, 1usize], T::least_ratio(pivot_B_x_B_y, k76))
+    }
     fn limited_skates(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let c = ezy::array::<45usize, f64>(c);
         let q = ezy::array::<6usize, f64>(q);

@@ -94,8 +94,10 @@ fn mechanisms() -> Vec<Vec<(usize, Vec<usize>)>> {
         (0..9).map(|i| (2, if i == 0 { vec![0] } else { vec![i - 1, i] })).collect(),
         vec![(2, vec![0, 3]), (3, vec![1, 3]), (1, vec![3, 2]), (1, vec![2]), (2, vec![2, 4]), (2, vec![4, 5])],
         vec![(2, vec![0]), (2, vec![0, 1]), (2, vec![1, 2]), (2, vec![2]), (1, vec![5, 6])],
-        // two joints between the same bodies, which are not one behind the other, and one of three bodies
-        vec![(2, vec![0, 1]), (1, vec![1, 2]), (1, vec![0, 1]), (1, vec![0, 2, 3]), (2, vec![3, 4])],
+        // two joints between the same bodies, which are not one behind the other
+        vec![(2, vec![0, 1]), (1, vec![1, 2]), (1, vec![0, 1]), (1, vec![0, 3]), (2, vec![3, 4])],
+        // a branch, a joint that holds the same body twice over, a closed loop
+        vec![(2, vec![0]), (2, vec![0, 1]), (2, vec![0, 2]), (2, vec![2, 3]), (2, vec![2, 4]), (2, vec![4])],
         net(4),
     ]
 }
@@ -106,6 +108,20 @@ fn net(n: usize) -> Vec<(usize, Vec<usize>)> {
     let along = (0..n).flat_map(|i| (1..n).map(move |j| (1, vec![at(i, j - 1), at(i, j)])));
     let across = (1..n).flat_map(|i| (0..n).map(move |j| (1, vec![at(i - 1, j), at(i, j)])));
     along.chain(across).collect()
+}
+
+/// Patterns of G of the mechanisms: with entries of all coordinates, and, where each joint has two rows, with those of hinges.
+fn patterns() -> impl Iterator<Item = (Vec<(usize, Vec<usize>)>, SparsityPattern)> {
+    mechanisms().into_iter().flat_map(|joints| {
+        let of_hinges = joints.iter().all(|(n, _)| *n == 2).then(|| {
+            let row = |bodies: &[usize], r: usize| bodies.iter().flat_map(|b| [3 * b + r, 3 * b + 2]).collect();
+            let rows: Vec<Vec<usize>> =
+                joints.iter().flat_map(|(_, bodies)| [row(bodies, 0), row(bodies, 1)]).collect();
+            pattern(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>())
+        });
+        let all = pattern_of(&joints);
+        std::iter::once(all).chain(of_hinges).map(move |pattern| (joints.clone(), pattern))
+    })
 }
 
 /// Entries of all coordinates of the bodies of a joint.
@@ -119,8 +135,7 @@ fn pattern_of(joints: &[(usize, Vec<usize>)]) -> SparsityPattern {
 #[test]
 fn cross_blocks_of_joints_give_what_the_sparse_factors_give() {
     let mut numbers = Numbers(11);
-    for joints in mechanisms() {
-        let pattern = pattern_of(&joints);
+    for (joints, pattern) in patterns() {
         let n_rows = pattern.n_rows();
         let n_q = 3 * (1 + joints.iter().flat_map(|of| &of.1).max().unwrap());
         let mut blocks = by_joints(n_q, &pattern, n_rows).unwrap();
@@ -140,6 +155,11 @@ fn cross_blocks_of_joints_give_what_the_sparse_factors_give() {
                     kkt.solve(&mut x);
                     x
                 });
+                if damping.is_none() {
+                    let mut at_once = right.clone();
+                    blocks.factor_and_solve(&mass, &jacobian, &mut at_once).unwrap();
+                    assert_eq!(at_once, found[0], "{joints:?}");
+                }
                 let none = Vec::new();
                 for x in &found {
                     let left = left(&pattern, &mass, &jacobian, damping.unwrap_or(&none), &right, x);
@@ -160,8 +180,7 @@ fn cross_blocks_of_joints_give_what_the_sparse_factors_give() {
 #[test]
 fn invariant_blocks_keep_their_equations_whatever_the_masses() {
     let mut numbers = Numbers(13);
-    for joints in mechanisms() {
-        let pattern = pattern_of(&joints);
+    for (joints, pattern) in patterns() {
         let n_rows = pattern.n_rows();
         let n_q = 3 * (1 + joints.iter().flat_map(|of| &of.1).max().unwrap());
         let mut blocks = by_joints(n_q, &pattern, n_rows).unwrap();
@@ -202,13 +221,14 @@ fn analytic_pivots_within_a_block_are_those_of_its_rows() {
     assert!(kkt.factor(&mass, &[f64::NAN; 6]).is_err() && kkt.factor(&mass, &[0.0; 6]).is_err());
 }
 
-/// A body in many joints, an entry that stands twice, and a net with more than 50 products a joint are left to other factors.
+/// A body in many joints, an entry that stands twice, a joint of three bodies, and a net with more than 50 products a joint are left to other factors.
 #[test]
 fn invariant_blocks_refuse_what_they_cannot_take() {
     let star: Vec<(usize, Vec<usize>)> = (1..=13).map(|i| (2, vec![0, i])).collect();
     assert!(by_joints(42, &pattern_of(&star[..12]), 24).is_some());
     assert!(by_joints(42, &pattern_of(&star), 26).is_none());
     assert!(by_joints(3, &pattern(&[&[0, 0, 1]]), 1).is_none());
+    assert!(by_joints(9, &pattern_of(&[(1, vec![0, 1, 2])]), 1).is_none());
     for (n, is_taken) in [(8_usize, true), (24, false)] {
         assert_eq!(by_joints(3 * n * n, &pattern_of(&net(n)), 2 * n * (n - 1)).is_some(), is_taken, "{n}");
     }

@@ -1,6 +1,5 @@
 //! Which row is farthest from being met.
 
-use super::max_abs;
 use super::solved::Solved;
 
 /// A residual and the row that has it.
@@ -15,10 +14,13 @@ pub struct Worst {
 impl Worst {
     /// Of all residuals; zero without any.
     pub(crate) fn of(residual: &[f64]) -> Self {
-        let value = max_abs(residual);
-        let is_worst = |x: &f64| if value.is_nan() { x.is_nan() } else { x.abs() == value };
-        let row = if value == 0.0 { None } else { residual.iter().position(is_worst) };
-        Self { value, row: row.unwrap_or(0) }
+        let mut worst = Self::default();
+        for (row, x) in residual.iter().enumerate() {
+            if x.abs() > worst.value || x.is_nan() {
+                worst = Self { value: x.abs(), row };
+            }
+        }
+        worst
     }
 }
 

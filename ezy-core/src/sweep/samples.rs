@@ -1,7 +1,7 @@
 //! Points in a box, by their number alone.
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng as _, SeedableRng as _};
 
 /// How samples are spread over their ranges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

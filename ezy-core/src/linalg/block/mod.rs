@@ -1,5 +1,6 @@
 //! Elimination of `A = G M⁻¹ Gᵀ` over blocks: a joint is a block, its rows are the rows of the block.
 
+mod columns;
 mod form;
 mod fraction;
 #[cfg(test)]
@@ -10,6 +11,7 @@ use super::tolerances::blocks::REFINED;
 use super::{KktFactorization, VanishedPivot};
 use crate::model::coordinate::{N_OF_BODY, body_and_component, n_bodies};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
+use columns::{Below, Columns, Node};
 use form::{Aligned, Form, Full};
 use fraction::Fraction;
 use std::array::from_fn;
@@ -20,49 +22,6 @@ type Column<const B: usize> = [f64; B];
 
 /// The columns of a block of A.
 type Block<const B: usize> = [Column<B>; B];
-
-/// A joint, and what is its own in the factors.
-#[derive(Debug, Clone)]
-struct Node<const B: usize> {
-    /// Of its block of D.
-    inverse: Block<B>,
-    /// The only block below the diagonal in its column, of L; not of columns that stand in the list.
-    lower: Block<B>,
-    /// Those that it holds; one that is held alone stands twice, the second time with zeros for Γ.
-    bodies: [u32; BODIES],
-    /// Among the rows of G.
-    first_row: u32,
-    n_rows: u32,
-    /// How many joints later the row of the only block stands; zero where its blocks stand in the list.
-    next: u32,
-    /// The place of the body that both hold, here and there.
-    shared: [u8; BODIES],
-    /// Blocks below the diagonal in the list.
-    n_lower: u32,
-}
-
-impl<const B: usize> Node<B> {
-    /// The first row whose pivot is not more than `least`; where each is, the last one, whose pivot left the range of numbers.
-    #[cold]
-    fn vanished(&self, pivots: &Column<B>, least: f64) -> VanishedPivot {
-        let last = self.n_rows as usize - 1;
-        let row = pivots.iter().position(|pivot| pivot.is_nan() || *pivot <= least).unwrap_or(last);
-        VanishedPivot { relative: pivots[row], row: Some(self.first_row as usize + row) }
-    }
-}
-
-/// A block below the diagonal, in the list.
-#[derive(Debug, Clone, Copy)]
-struct Below {
-    /// The later joint.
-    row: u32,
-    /// For each body of the earlier joint, its place among those of the later one; [`NOT_SHARED`] where that does not hold it.
-    late: [u8; BODIES],
-    /// Whether another column adds to it before.
-    is_filled: bool,
-}
-
-const NOT_SHARED: u8 = BODIES as u8;
 
 /// LDLᵀ factors of `A = G M⁻¹ Gᵀ`, which is what remains of K without its masses, for joints of up to `B` rows. Joints with fewer rows have ones on
 /// the rest of their diagonal.
@@ -123,64 +82,9 @@ fn are_aligned(pattern: &SparsityPattern, plan: &Plan) -> bool {
 
 impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     fn new(n_q: usize, pattern: &SparsityPattern, plan: &Plan) -> Self {
-        let Plan { joints, later } = plan;
-        // blocks to which columns add
-        let mut is_filled: Vec<Vec<bool>> = later.iter().map(|list| vec![false; list.len()]).collect();
-        for list in later {
-            for (i, &column) in list.iter().enumerate() {
-                for row in &list[i + 1..] {
-                    let at = later[column].binary_search(row).unwrap_or(usize::MAX);
-                    if let Some(filled) = is_filled[column].get_mut(at) {
-                        *filled = true;
-                    }
-                }
-            }
-        }
-        let is_alone = |k: usize| {
-            let [row] = later[k][..] else { return None };
-            let shared = joints[k].bodies.iter().enumerate();
-            let shared: Vec<_> =
-                shared.filter_map(|(i, &body)| joints[row].side_of(body).map(|side| [i as u8, side as u8])).collect();
-            let [shared] = shared[..] else { return None };
-            (!is_filled[k][0]).then_some(((row - k) as u32, shared))
-        };
-        let mut nodes = Vec::with_capacity(joints.len());
-        let (mut below, mut starts) = (Vec::new(), Vec::with_capacity(joints.len()));
-        for (k, joint) in joints.iter().enumerate() {
-            let (next, shared) = is_alone(k).unwrap_or_default();
-            starts.push(below.len());
-            if next == 0 {
-                below.extend(later[k].iter().zip(&is_filled[k]).map(|(&row, &is_filled)| {
-                    let side = |i: usize| joint.bodies.get(i).and_then(|&body| joints[row].side_of(body));
-                    Below {
-                        row: row as u32,
-                        late: from_fn(|i| side(i).map_or(NOT_SHARED, |side| side as u8)),
-                        is_filled,
-                    }
-                }));
-            }
-            nodes.push(Node {
-                inverse: [[0.0; B]; B],
-                lower: [[0.0; B]; B],
-                bodies: from_fn(|i| joint.bodies.get(i).or(joint.bodies.first()).map_or(0, |&body| body as u32)),
-                first_row: joint.first_row as u32,
-                n_rows: joint.n_rows as u32,
-                next,
-                shared,
-                n_lower: (below.len() - starts[k]) as u32,
-            });
-        }
-        let mut targets = Vec::new();
-        for (k, list) in later.iter().enumerate() {
-            for (i, row) in list.iter().enumerate().rev() {
-                let places = list[..i]
-                    .iter()
-                    .filter_map(|&column| Some(starts[column] + later[column].binary_search(row).ok()?));
-                targets.extend(places.map(|place| (place - starts[k + 1]) as u32));
-            }
-        }
+        let Columns { nodes, below, targets } = Columns::new(plan);
         let mut places = vec![0; pattern.n_nonzeros()];
-        for (k, joint) in joints.iter().enumerate() {
+        for (k, joint) in plan.joints.iter().enumerate() {
             for (entry, row, column) in joint.entries(pattern) {
                 let (body, component) = body_and_component(column);
                 if let (Some(side), Some(at)) = (joint.side_of(body), F::place(row, component)) {

@@ -1,0 +1,111 @@
+//! The columns of the factors: which blocks stand below the diagonal, and which of them the elimination of each changes.
+
+use super::{Block, Column};
+use crate::linalg::VanishedPivot;
+use crate::linalg::joints::{BODIES, Plan};
+use std::array::from_fn;
+
+/// A joint, and what is its own in the factors.
+#[derive(Debug, Clone)]
+pub(super) struct Node<const B: usize> {
+    /// Of its block of D.
+    pub inverse: Block<B>,
+    /// The only block below the diagonal in its column, of L; not of columns that stand in the list.
+    pub lower: Block<B>,
+    /// Those that it holds; one that is held alone stands twice, the second time with zeros for Γ.
+    pub bodies: [u32; BODIES],
+    /// Among the rows of G.
+    pub first_row: u32,
+    pub n_rows: u32,
+    /// How many joints later the row of the only block stands; zero where its blocks stand in the list.
+    pub next: u32,
+    /// The place of the body that both hold, here and there.
+    pub shared: [u8; BODIES],
+    /// Blocks below the diagonal in the list.
+    pub n_lower: u32,
+}
+
+impl<const B: usize> Node<B> {
+    /// The first row whose pivot is not more than `least`; where each is, the last one, whose pivot left the range of numbers.
+    #[cold]
+    pub(super) fn vanished(&self, pivots: &Column<B>, least: f64) -> VanishedPivot {
+        let last = self.n_rows as usize - 1;
+        let row = pivots.iter().position(|pivot| pivot.is_nan() || *pivot <= least).unwrap_or(last);
+        VanishedPivot { relative: pivots[row], row: Some(self.first_row as usize + row) }
+    }
+}
+
+/// A block below the diagonal, in the list.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Below {
+    /// The later joint.
+    pub row: u32,
+    /// For each body of the earlier joint, its place among those of the later one; [`NOT_SHARED`] where that does not hold it.
+    pub late: [u8; BODIES],
+    /// Whether another column adds to it before.
+    pub is_filled: bool,
+}
+
+const NOT_SHARED: u8 = BODIES as u8;
+
+/// All of them.
+pub(super) struct Columns<const B: usize> {
+    pub nodes: Vec<Node<B>>,
+    /// Of the columns in the list, one after the other.
+    pub below: Vec<Below>,
+    /// The blocks in the list that the elimination of each column changes, from the last row to the first, counted from the column behind it.
+    pub targets: Vec<u32>,
+}
+
+impl<const B: usize> Columns<B> {
+    pub(super) fn new(Plan { joints, later }: &Plan) -> Self {
+        let place = |column: usize, row: usize| later[column].binary_search(&row).ok();
+        // columns add to the blocks of later ones, whose rows stand in them, too
+        let mut is_filled: Vec<Vec<bool>> = later.iter().map(|list| vec![false; list.len()]).collect();
+        for list in later {
+            for (i, &column) in list.iter().enumerate() {
+                for place in list[i + 1..].iter().filter_map(|&row| place(column, row)) {
+                    is_filled[column][place] = true;
+                }
+            }
+        }
+        let mut columns = Self { nodes: Vec::with_capacity(joints.len()), below: Vec::new(), targets: Vec::new() };
+        let mut starts = Vec::with_capacity(joints.len());
+        for (k, joint) in joints.iter().enumerate() {
+            let side = |i: usize, row: usize| joint.bodies.get(i).and_then(|&body| joints[row].side_of(body));
+            let late = |row| from_fn(|i| side(i, row).map_or(NOT_SHARED, |side| side as u8));
+            let (next, shared) = match (&later[k][..], &is_filled[k][..]) {
+                (&[row], [false]) => match late(row) {
+                    [side, NOT_SHARED] if side != NOT_SHARED => (row - k, [0, side]),
+                    [NOT_SHARED, side] if side != NOT_SHARED => (row - k, [1, side]),
+                    _ => (0, [0; BODIES]),
+                },
+                _ => (0, [0; BODIES]),
+            };
+            let start = columns.below.len();
+            if next == 0 {
+                let blocks = later[k].iter().zip(&is_filled[k]);
+                let blocks = blocks.map(|(&row, &is_filled)| Below { row: row as u32, late: late(row), is_filled });
+                columns.below.extend(blocks);
+            }
+            starts.push(start);
+            columns.nodes.push(Node {
+                inverse: [[0.0; B]; B],
+                lower: [[0.0; B]; B],
+                bodies: from_fn(|i| joint.bodies.get(i).or(joint.bodies.first()).map_or(0, |&body| body as u32)),
+                first_row: joint.first_row as u32,
+                n_rows: joint.n_rows as u32,
+                next: next as u32,
+                shared,
+                n_lower: (columns.below.len() - start) as u32,
+            });
+        }
+        for (k, list) in later.iter().enumerate() {
+            for (i, &row) in list.iter().enumerate().rev() {
+                let blocks = list[..i].iter().filter_map(|&column| Some(starts[column] + place(column, row)?));
+                columns.targets.extend(blocks.map(|block| (block - starts[k + 1]) as u32));
+            }
+        }
+        columns
+    }
+}

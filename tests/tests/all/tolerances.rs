@@ -12,9 +12,10 @@ const WITH_FORMULAS: [&str; 1] = ["tableau.rs"];
 /// The layer in which numbers may stand without a name: in formulas of a source, as that of a first step, and in tolerances of given steps.
 const WITH_NAMELESS: &str = "integrate";
 
-/// Numbers that are no thresholds: the modes of a scene, a place in a group of inputs, what mathematics gives, sizes and orders of methods, and
+/// Numbers that are no thresholds: the modes of a scene, a place in a group of inputs, what mathematics gives, sizes of blocks, sizes and orders of methods, and
 /// public numbers; of `analysis` the parameters of the ITP method, nodes, shares of a period, and first states of generators.
-const NO_THRESHOLDS: [&str; 29] = [
+const NO_THRESHOLDS: [&str; 30] = [
+    "BODIES",
     "FREE",
     "HOLDS",
     "SLIDES_LEFT",

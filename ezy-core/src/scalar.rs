@@ -83,12 +83,10 @@ pub trait Scalar:
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
-    /// [sin, cos] of each of eight numbers. Those of `f64` are computed together, and differ from [`Self::sin_cos`] by up to two units in the last
-    /// place.
-    #[must_use]
+    /// Writes [sin, cos] of each number. Those of `f64` are computed in lanes, and differ from [`Self::sin_cos`] by up to two units in the last place.
     #[inline(always)]
-    fn sin_cos_of_eight(x: &[Self; 8]) -> [[Self; 2]; 8] {
-        x.map(|x| x.sin_cos().into())
+    fn sin_cos_of_each(x: &[Self], out: &mut [[Self; 2]]) {
+        x.iter().zip(out).for_each(|(x, out)| *out = x.sin_cos().into());
     }
 
     /// Sine.

@@ -78,7 +78,7 @@ pub(super) struct Ahead {
     q: Vec<f64>,
     n_v: usize,
     smallest_pivot: f64,
-    /// As [`Equations::projected_accelerations`](crate::model::Derived::projected_accelerations) wrote them.
+    /// As [`Derived::projected_accelerations`](crate::model::Derived::projected_accelerations) wrote them.
     out: Vec<f64>,
 }
 

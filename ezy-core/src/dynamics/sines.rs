@@ -1,7 +1,7 @@
 //! Sines and cosines of the angles of one configuration, which all kernels of a scene with counts share.
 
-use crate::model::coordinate::{N_OF_BODY, n_bodies, write_sines};
-use crate::scalar::in_widest;
+use crate::model::coordinate::{N_OF_BODY, n_bodies};
+use crate::scalar::{Scalar as _, in_widest};
 
 /// [sin φ, cos φ] of each body, kept until other angles are asked for. Empty in scenes whose kernels take none.
 pub(super) struct Sines {
@@ -26,7 +26,7 @@ impl Sines {
                 self.angles.iter_mut().zip(bodies).for_each(|(angle, [_, _, phi])| *angle = *phi);
                 in_widest(
                     #[inline(always)]
-                    || write_sines(q, &mut self.table),
+                    || f64::sin_cos_of_each(&self.angles, &mut self.table),
                 );
             }
         }
@@ -37,7 +37,6 @@ impl Sines {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Scalar;
 
     /// Angles that change by one bit, or only in their sign, are others; x and y do not matter.
     #[test]
@@ -47,8 +46,9 @@ mod tests {
             for x in [0.0, 7.0] {
                 let table = sines.at(&[x, 1.0, first, 2.0, x, second]);
                 for (found, phi) in table.iter().zip([first, second]) {
-                    let [expected, ..] = f64::sin_cos_of_eight(&[phi; 8]);
-                    assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits), "{phi}");
+                    let mut expected = [[0.0; 2]];
+                    f64::sin_cos_of_each(&[phi], &mut expected);
+                    assert_eq!(found.map(f64::to_bits), expected[0].map(f64::to_bits), "{phi}");
                 }
                 assert_eq!(table.len(), 2);
             }

@@ -37,12 +37,12 @@ pub(crate) mod projection {
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
     pub(crate) const PASSES_NEAR_RANK_LOSS: usize = 2;
 
-    /// |C| that may be left where nothing leaves less, as redundant rows do: rounding of lengths. Of coordinates beyond 1 m or rad this part of the
-    /// largest. Forty four-bars in their level position leave some 1e-11 m (`a02_n_four_bar, N = 40` in docs/hard-cases.md), and the next step,
+    /// |C| that the last pass may leave, of coordinates beyond 1 m or rad this part of the largest: what redundant rows differ by is rounding of
+    /// lengths. Forty four-bars in their level position leave some 1e-11 m (`a02_n_four_bar, N = 40` in docs/hard-cases.md), and the next step,
     /// farther away, removes it.
     /// Unit: m or rad.
     /// Test: `analytic_motors_that_part_are_followed_to_a_tenth_of_a_nanometre`.
-    pub(crate) const TOLERANCE_OF_REDUNDANT: f64 = 1e-10;
+    pub(crate) const LARGEST_LEFT: f64 = 1e-10;
 
     /// A velocity correction this many times as large as the residual that it removes, with angles weighed by their levers, too, shows
     /// rows that nearly depend on each other.

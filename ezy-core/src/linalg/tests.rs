@@ -96,8 +96,10 @@ fn mechanisms() -> Vec<Vec<(usize, Vec<usize>)>> {
         vec![(2, vec![0]), (2, vec![0, 1]), (2, vec![1, 2]), (2, vec![2]), (1, vec![5, 6])],
         // two joints between the same bodies, which are not one behind the other
         vec![(2, vec![0, 1]), (1, vec![1, 2]), (1, vec![0, 1]), (1, vec![0, 3]), (2, vec![3, 4])],
-        // a branch, a joint that holds the same body twice over, a closed loop
+        // a branch, and a closed loop
         vec![(2, vec![0]), (2, vec![0, 1]), (2, vec![0, 2]), (2, vec![2, 3]), (2, vec![2, 4]), (2, vec![4])],
+        // two hinges between the same bodies
+        vec![(2, vec![0, 1]), (2, vec![1, 2]), (2, vec![0, 1])],
         net(4),
     ]
 }

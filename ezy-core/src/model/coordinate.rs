@@ -34,17 +34,8 @@ pub(crate) const fn is_angle(coordinate: usize) -> bool {
 
 /// [sin φ, cos φ] of each planar body.
 pub fn sines<T: Scalar>(q: &[T]) -> Vec<[T; 2]> {
-    let mut table = vec![[T::from_f64(0.0); 2]; n_bodies(q.len())];
-    write_sines(q, &mut table);
+    let angles: Vec<T> = q.as_chunks::<N_OF_BODY>().0.iter().map(|[_, _, phi]| *phi).collect();
+    let mut table = vec![[T::from_f64(0.0); 2]; angles.len()];
+    T::sin_cos_of_each(&angles, &mut table);
     table
-}
-
-/// Writes [sin φ, cos φ] of each planar body.
-#[inline(always)]
-pub(crate) fn write_sines<T: Scalar>(q: &[T], table: &mut [[T; 2]]) {
-    let bodies = q.as_chunks::<N_OF_BODY>().0;
-    for (bodies, table) in bodies.chunks(8).zip(table.chunks_mut(8)) {
-        let angles = std::array::from_fn(|i| bodies.get(i).map_or(T::from_f64(0.0), |[_, _, phi]| *phi));
-        table.copy_from_slice(&T::sin_cos_of_eight(&angles)[..table.len()]);
-    }
 }

@@ -37,9 +37,17 @@ impl Scalar for f64 {
     }
 
     #[inline(always)]
-    fn sin_cos_of_eight(x: &[Self; 8]) -> [[Self; 2]; 8] {
-        let (Lanes(sin), Lanes(cos)) = Lanes(*x).sin_cos();
-        std::array::from_fn(|i| [sin[i], cos[i]])
+    fn sin_cos_of_each(x: &[Self], out: &mut [[Self; 2]]) {
+        let (eights, more) = x.as_chunks::<8>();
+        let (first, last) = out.split_at_mut(x.len() - more.len());
+        let write = |x, out: &mut [[Self; 2]]| {
+            let (Lanes(sin), Lanes(cos)) = Lanes(x).sin_cos();
+            out.iter_mut().zip(sin.into_iter().zip(cos)).for_each(|(out, (sin, cos))| *out = [sin, cos]);
+        };
+        eights.iter().zip(first.as_chunks_mut::<8>().0).for_each(|(x, out)| write(*x, out));
+        let mut padded = [0.0; 8];
+        padded.iter_mut().zip(more).for_each(|(padded, x)| *padded = *x);
+        write(padded, last);
     }
 
     #[inline(always)]

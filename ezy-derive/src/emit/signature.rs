@@ -130,7 +130,7 @@ impl Signature {
         }
     }
 
-    /// What stands for any number where the trait has `f64` alone. So each number of other types compiles one kernel less.
+    /// Binds `T` to `f64` in methods of `Derived` whose body is written for any number, so that each other type compiles one kernel less.
     fn any_is_f64(&self) -> Option<TokenStream> {
         let is_so = self.of == Trait::Derived && self.numbers() == Numbers::Any;
         is_so.then(|| {

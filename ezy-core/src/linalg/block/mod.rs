@@ -49,7 +49,7 @@ struct BlockKkt<F, const B: usize, const N: usize> {
     roots: Vec<[f64; N_OF_BODY]>,
     /// That of the column of each entry of G.
     entry_roots: Vec<f64>,
-    /// The column of each entry of G.
+    /// The column of each entry of G, for new masses.
     columns: Vec<u32>,
     /// M^½ x of the right side and of the solution, by body.
     x: Vec<[f64; N_OF_BODY]>,
@@ -135,8 +135,10 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         }
     }
 
-    /// Factors A; `damping` is added to its diagonal. The pivot of each row has to be more than the part `least` of what it started from. Goes
-    /// on with [`Self::forward`] in the same sweep where `s` is given: each waits for the joint before, and both wait together.
+    /// Factors A; `damping` is added to its diagonal. The pivot of each row has to be more than the part `least` of what it started from.
+    ///
+    /// Where `s` is given, forward substitution ([`Self::forward`]) is done in the same sweep: both are chains of dependent operations, and the
+    /// processor overlaps them.
     fn eliminate(&mut self, damping: Option<&[f64]>, least: f64, s: Option<&[f64]>) -> Result<(), VanishedPivot> {
         let Self { nodes, slots, pending, below, lower, targets, smallest_pivot, x, y, .. } = self;
         let (mut lower, mut below, mut targets) = (&mut lower[..], &below[..], targets.iter());
@@ -237,7 +239,7 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     }
 
     /// Takes from x what leaves s of its rows, by `M^−½ Γᵀ y` with `A y = G x − s`: with x = M⁻¹ r it gives the solution; once more, with y = 0, it
-    /// gives back the digits that small pivots cost. The first step forward is made.
+    /// gives back the digits that small pivots cost. [`Self::forward`] was called before.
     fn finish(&mut self, right_side: &mut [f64]) {
         let (r, s) = right_side.split_at_mut(self.roots.as_flattened().len());
         self.backward();

@@ -60,6 +60,7 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     acceleration_operations: NO_OPERATIONS,
     correction_operations: NO_OPERATIONS,
     feedback: None,
+    quasi_velocities: None,
     series: SeriesInfo::Absent,
     repeats: None,
 };

@@ -60,9 +60,14 @@ fn freedom(info: &SceneInfo) -> [usize; 2] {
 const OPERATIONS: [&str; 6] = ["mul", "add", "div", "arithmetic in all", "sin and cos", "other calls"];
 
 /// The generated solutions with their counts, in the order of [`OPERATIONS`].
-fn kernels(info: &SceneInfo) -> [(&'static str, [usize; 6]); 2] {
-    [("accelerations", info.acceleration_operations), ("correction", info.correction_operations)]
+fn kernels(info: &SceneInfo) -> Vec<(&'static str, [usize; 6])> {
+    let quasi = info.quasi_velocities.map(|of| ("accelerations in quasi-velocities", of.operations));
+    let of_rows = [("accelerations", info.acceleration_operations), ("correction", info.correction_operations)];
+    of_rows
+        .into_iter()
+        .chain(quasi)
         .map(|(name, count)| (name, [count.mul, count.add, count.div, count.arithmetic(), count.trig, count.calls]))
+        .collect()
 }
 
 /// Whether Taylor's method can run the scene, and the cost of one order.

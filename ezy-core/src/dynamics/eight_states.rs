@@ -20,7 +20,7 @@ pub(crate) struct EightStates {
     /// The smallest pivot of the eliminations of all eight; infinite where they were not eliminated.
     pub smallest_pivot: f64,
     /// What kernels read as `c`.
-    fixed: Vec<Eight>,
+    pub fixed: Vec<Eight>,
     one: OneState,
 }
 
@@ -63,8 +63,11 @@ impl EightStates {
 
     /// Takes over what kernels read in the present step.
     pub(crate) fn begin<P: SceneRef>(&mut self, system: &System<P>) {
-        self.fixed.clear();
-        self.fixed.extend(system.fixed.iter().map(|&x| Eight::from_f64(x)));
+        let same = |(eight, x): (&Eight, &f64)| eight.0[0].to_bits() == x.to_bits();
+        if self.fixed.len() != system.fixed.len() || !self.fixed.iter().zip(&system.fixed).all(same) {
+            self.fixed.clear();
+            self.fixed.extend(system.fixed.iter().map(|&x| Eight::from_f64(x)));
+        }
     }
 
     /// Accelerations and multipliers within a run, as those of stages: by the elimination of the scene all at once, or one after the other.
@@ -72,7 +75,7 @@ impl EightStates {
     /// # Errors
     /// [`MotionError`] of any of them.
     pub(crate) fn accelerate<P: SceneRef>(&mut self, system: &mut System<P>) -> Result<(), MotionError> {
-        if system.uses_elimination() && !system.active.leaves_out_redundant() && self.eliminate(system) {
+        if self.eliminates(system) && self.eliminate(system) {
             return Ok(());
         }
         self.smallest_pivot = f64::INFINITY;
@@ -84,6 +87,29 @@ impl EightStates {
             self.lambda.iter_mut().zip(lambda).for_each(|(eight, one)| eight.0[lane] = *one);
         }
         Ok(())
+    }
+
+    /// Whether the elimination of the scene is to solve, with all rows.
+    pub(crate) fn eliminates<P: SceneRef>(&self, system: &System<P>) -> bool {
+        system.uses_elimination() && !system.active.leaves_out_redundant()
+    }
+
+    /// Power of each effect, W, with the multipliers that were found; writes nothing into an empty `out`.
+    pub(crate) fn powers<P: SceneRef>(&mut self, system: &System<P>, out: &mut [Eight]) {
+        if out.is_empty() {
+            return;
+        }
+        if let Some(scene) = system.scene.in_lanes() {
+            scene.powers_in_lanes(&self.fixed, &self.t, &self.q, &self.v, &self.lambda, out);
+            return;
+        }
+        let mut of_one = vec![0.0; out.len()];
+        for lane in 0..self.t.0.len() {
+            let t = self.t.0[lane];
+            let one = self.one(lane);
+            system.power(t, &one.q, &one.v, &one.lambda, &mut of_one);
+            out.iter_mut().zip(&of_one).for_each(|(out, one)| out.0[lane] = *one);
+        }
     }
 
     /// Whether the elimination of the scene solved for all of them.

@@ -232,6 +232,12 @@ pub(crate) mod gauss {
     /// Test: `analytic_changes_that_are_rounding_end_sweeps`.
     pub(crate) const ROUNDING: f64 = 1e-12;
 
+    /// Quasi-velocities give back the velocities that they are taken from up to the rounding of some ten operations over the smallest pivot, which may be
+    /// a thousandth of a metre.
+    /// Unit: share of the fastest velocity.
+    /// Test: `invariant_steps_from_velocities_off_the_rows_are_those_of_rows`.
+    pub(crate) const SAME_VELOCITIES: f64 = 1e-12;
+
     /// Sweeps of this rate do not converge.
     /// Unit: 1.
     /// Test: `cross_sweeps_of_a_swing_end_where_they_have_converged_or_do_not`.

@@ -2,7 +2,10 @@
 
 #[cfg(feature = "analysis")]
 use super::EquationsWithDerivatives;
-use super::{ElementInfo, Equations, EquationsInLanes, ForceElement, List, Pivots, PreciseScene, Series};
+use super::{
+    ElementInfo, Equations, EquationsInLanes, EquationsInQuasiVelocities, ForceElement, List, Pivots, PreciseScene,
+    Series,
+};
 #[cfg(feature = "export")]
 use crate::scalar::Recorded;
 
@@ -109,6 +112,11 @@ pub trait Derived: Equations<f64> {
 
     /// Its kernels at eight states at once, where it has a generated elimination.
     fn in_lanes(&self) -> Option<&dyn EquationsInLanes> {
+        None
+    }
+
+    /// The equations of motion in quasi-velocities, where `model!` derived them.
+    fn in_quasi_velocities(&self) -> Option<&dyn EquationsInQuasiVelocities> {
         None
     }
 

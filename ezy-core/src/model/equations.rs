@@ -100,6 +100,12 @@ pub trait Equations<T: Scalar>: Send + Sync {
     }
 }
 
+/// Powers of a scene with a generated elimination, on numbers `T`.
+pub trait Powers<T: Scalar>: Send + Sync {
+    /// [`Scene::power`](super::Scene::power), which calls it.
+    fn powers(&self, c: &[T], t: T, q: &[T], v: &[T], lambda: &[T], out: &mut [T]);
+}
+
 /// Equations and Taylor series of a scene in numbers of twice the length of `f64`, as one trait object.
 pub trait PreciseScene: Equations<DoubleDouble> + Series<DoubleDouble> {}
 

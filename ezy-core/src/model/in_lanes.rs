@@ -1,6 +1,6 @@
 //! The equations of a scene at eight states at once.
 
-use super::{Equations, Pivots};
+use super::{Equations, Pivots, Powers};
 use crate::scalar::{Lanes, in_widest};
 
 /// States that kernels take at once.
@@ -23,6 +23,9 @@ pub trait EquationsInLanes: Send + Sync {
         lambda: &mut [Eight],
     ) -> Pivots;
 
+    /// [`Powers::powers`].
+    fn powers_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], v: &[Eight], lambda: &[Eight], out: &mut [Eight]);
+
     /// [`Equations::position_constraint`].
     fn position_constraint_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], out: &mut [Eight]);
 
@@ -40,7 +43,7 @@ pub trait EquationsInLanes: Send + Sync {
     ) -> Pivots;
 }
 
-impl<S: Equations<Eight>> EquationsInLanes for S {
+impl<S: Equations<Eight> + Powers<Eight>> EquationsInLanes for S {
     fn accelerations_in_lanes(
         &self,
         c: &[Eight],
@@ -54,6 +57,13 @@ impl<S: Equations<Eight>> EquationsInLanes for S {
             #[inline(always)]
             || self.accelerations(c, *t, q, v, a, lambda),
         )
+    }
+
+    fn powers_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], v: &[Eight], lambda: &[Eight], out: &mut [Eight]) {
+        in_widest(
+            #[inline(always)]
+            || self.powers(c, *t, q, v, lambda, out),
+        );
     }
 
     fn position_constraint_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], out: &mut [Eight]) {

@@ -6,7 +6,7 @@ use super::repeats::{CountInfo, Repeats};
 use super::series::SeriesInfo;
 use super::{
     Abbreviation, CoordinateInfo, EffectInfo, EliminationStep, Equation, Formula, InputInfo, List, Name, Operations,
-    OutputInfo, ParameterInfo, PointInfo, RowInfo, SparsityPattern, StateInfo, SwitchInfo,
+    OutputInfo, ParameterInfo, PointInfo, QuasiVelocitiesInfo, RowInfo, SparsityPattern, StateInfo, SwitchInfo,
 };
 
 /// Everything about a scene that does not depend on parameters: known at compile time or, for a scene with counts, made
@@ -89,6 +89,8 @@ pub struct SceneInfo {
     /// The coordinates that accelerations and multipliers depend on, ascending; the others follow from the motion without any influence on it,
     /// such as the place of a vehicle on a plane. `None` where that is not known.
     pub feedback: Option<&'static [usize]>,
+    /// The equations in quasi-velocities ([`Derived::in_quasi_velocities`](super::Derived::in_quasi_velocities)), where they were derived.
+    pub quasi_velocities: Option<QuasiVelocitiesInfo>,
     /// Whether there is a Taylor series ([`Derived::series`](super::Derived::series)).
     pub series: SeriesInfo,
     /// Additional data of a scene with counts; `None` for a scene whose sizes are known at compile time. A scene with

@@ -11,8 +11,8 @@ const STEP: f64 = 6e-6;
 
 /// Rounding relative to what is differentiated: 1.5 ε/step = 5e-11, for a few terms. The rounding of the time itself, ε t,
 /// counts with the rate of change.
-const TOLERANCE: f64 = 2e-10;
-const REASON: &str = "rounding of extrapolated central differences";
+pub(super) const TOLERANCE: f64 = 2e-10;
+pub(super) const REASON: &str = "rounding of extrapolated central differences";
 
 /// Largest truncation error of a difference that is compared: half of the tolerance. Near a singular point, such as a distance
 /// of zero, the fifth derivative is unbounded, and differences say nothing about the model.

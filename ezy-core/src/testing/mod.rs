@@ -12,6 +12,7 @@ mod derivatives;
 mod energy;
 mod jacobians;
 mod probe;
+mod quasi;
 mod report;
 mod series;
 mod solvers;
@@ -32,8 +33,8 @@ use probe::Probe;
 /// [h; s] against central differences of the velocity constraints along the motion; G against the velocity constraints; powers and
 /// the growth of the potential energy against F·v and λ·g_t; the Jacobians of the equations of motion against central
 /// differences of their residual; accelerations, multipliers and mass-weighted corrections
-/// of the generated elimination and the sparse backend against the dense one, at fewer states in large scenes; the Taylor
-/// series against the equations a little later. At the
+/// of the generated elimination and the sparse backend against the dense one, at fewer states in large scenes; the equations in
+/// quasi-velocities against those of the rows; the Taylor series against the equations a little later. At the
 /// start: whether rows that depend on each other agree. Over a short run: the energy balance, extrapolated to step zero.
 ///
 /// # Errors
@@ -68,6 +69,7 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
     ];
     checks.extend(jacobians::of_residual(&probe));
     checks.extend(solvers::backends(&probe)?);
+    checks.extend(quasi::against_rows(&probe)?);
     checks.extend(series::ahead(&probe)?);
     checks.push(energy::balance(scene, start.t)?);
     let report = CheckReport { model: info.model, scene: info.name, checks, rank, moved };

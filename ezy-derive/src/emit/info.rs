@@ -56,6 +56,15 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
         Some(coordinates) => quote!(::core::option::Option::Some(&[#(#coordinates),*])),
         None => quote!(::core::option::Option::None),
     };
+    let count_of = |quantity| derived.kernels.get(&quantity).map(Kernel::count).unwrap_or_default();
+    let quasi_velocities = option(of.quasi.as_ref().map(|quasi| {
+        let formulas = quasi.values.iter().map(|&value| formula_of(names, value));
+        let feedback = &quasi.feedback;
+        let operations = operations(count_of(Quantity::QuasiAccelerations));
+        quote! {
+            ezy::QuasiVelocitiesInfo { formulas: &[#(#formulas),*], feedback: &[#(#feedback),*], operations: #operations }
+        }
+    }));
     let (starts, columns) = pattern(equations);
     let entries = equations.constraints.jacobian.iter().flatten();
     let jacobian_entries: Vec<_> = entries.map(|&(_, entry)| formula_of(names, entry)).collect();
@@ -72,7 +81,6 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let elimination = of.elimination.iter().map(
         |(rows, constant_pivot)| quote!(ezy::EliminationStep { rows: &[#(#rows),*], constant_pivot: #constant_pivot }),
     );
-    let count_of = |quantity| derived.kernels.get(&quantity).map(Kernel::count).unwrap_or_default();
     let [acceleration_operations, correction_operations] =
         [Quantity::Accelerations, Quantity::Correction].map(|quantity| operations(count_of(quantity)));
     let series = series(derived.series_cost());
@@ -114,6 +122,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             acceleration_operations: #acceleration_operations,
             correction_operations: #correction_operations,
             feedback: #feedback,
+            quasi_velocities: #quasi_velocities,
             series: #series,
             repeats: ::core::option::Option::None,
         }

@@ -56,6 +56,7 @@ impl Method<'_> {
         let number = self.signature.numbers().name();
         let reads = self.signature.reads.iter().filter(|&&read| read != "t").map(|&read| match read {
             "lambda" | "residual" => (read, lengths.of(Entries::Rows)),
+            "quasi" => (read, lengths.of(Entries::QuasiVelocities)),
             _ => (read, lengths.of(Entries::Coordinates)),
         });
         let reads = std::iter::once(("c", lengths.n_fixed)).chain(reads).map(|(name, n)| {
@@ -208,6 +209,7 @@ impl Writer<'_> {
                 let row = self.places.index(Entries::Rows, row);
                 quote!(residual[#row])
             }
+            Some(Read::QuasiVelocity(k)) => quote!(quasi[#k]),
             Some(Read::Slot(slot)) => self.stored(slot),
             None => numbers.literal(f64::NAN),
         }

@@ -140,7 +140,7 @@ impl Array {
 pub struct Lengths {
     /// Inputs and constants.
     pub n_fixed: usize,
-    entries: [(Entries, usize); 5],
+    entries: [(Entries, usize); 6],
 }
 
 /// Products come in groups of so many; `ezy_core::__private::PRODUCT_GROUP`.
@@ -154,6 +154,7 @@ impl Lengths {
         let entries = [
             (Entries::Coordinates, n_q),
             (Entries::Rows, n_c),
+            (Entries::QuasiVelocities, of.quasi.as_ref().map_or(0, |quasi| quasi.symbols.len())),
             (Entries::Products, n_products.next_multiple_of(PRODUCT_GROUP)),
             (Entries::Base, n_base),
             (Entries::Kept, n_kept),
@@ -174,6 +175,7 @@ pub fn size(of: Entries) -> &'static str {
     match of {
         Entries::Coordinates => "n_q",
         Entries::Rows => "n_c",
+        Entries::QuasiVelocities => "n_u",
         Entries::Products => "n_products",
         Entries::Base => "n_base",
         Entries::Kept => "n_kept",
@@ -185,6 +187,7 @@ pub fn counter(of: Entries) -> Ident {
     argument(match of {
         Entries::Coordinates => "place",
         Entries::Rows => "row_place",
+        Entries::QuasiVelocities => "quasi_place",
         Entries::Products => "product_place",
         Entries::Base => "base_place",
         Entries::Kept => "kept_place",

@@ -119,6 +119,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
             acceleration_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             correction_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             feedback: ::core::option::Option::None,
+            quasi_velocities: ::core::option::Option::None,
             series: #series,
             repeats: ::core::option::Option::Some(ezy::Repeats {
                 counts: &[#(#counts),*],

@@ -12,7 +12,7 @@ use super::signature::{self, Trait};
 use super::type_names::scene_type;
 use super::{elements, info, jacobians, page, repeated, series};
 use crate::mechanics::Derived;
-use crate::mechanics::derived::Form;
+use crate::mechanics::derived::{Form, Straight};
 use crate::mechanics::kernels::{Kernel, Quantity};
 use crate::model::{Model, Parameter, Scene};
 
@@ -28,6 +28,26 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let methods = |vocabulary, of| methods(model, derived, vocabulary, of);
     let [equations, of_derived, of_scene] =
         [Trait::Equations, Trait::Derived, Trait::Scene].map(|of| methods(vocabulary, of));
+    let powers = derived.kernels.get(&Quantity::Power).zip(straight_with_elimination(derived)).map(|(kernel, of)| {
+        let method = Method { model, vocabulary, signature: &signature::POWERS, kernel };
+        let of_powers = signature::POWERS.method(method.straight(&Lengths::new(derived, of)), true);
+        quote! {
+            #[automatically_derived]
+            impl<T: ezy::Scalar> ezy::Powers<T> for #type_name {
+                #of_powers
+            }
+        }
+    });
+    let of_quasi = methods(vocabulary, Trait::QuasiVelocities);
+    let quasi = (!of_quasi.is_empty()).then(|| {
+        quote! {
+            #[automatically_derived]
+            impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for #type_name {
+                #of_quasi
+            }
+        }
+    });
+    let access_to_quasi = quasi.is_some().then(access_to_quasi);
     let of_series = methods(Vocabulary { outputs_early: true, ..vocabulary }, Trait::Series);
     let series = series::implementation(&type_name, model, derived, &of_series);
     let constants = constants.method();
@@ -35,7 +55,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let (parameter, set_parameter) = parameter_access(&parameters);
     let elements = (!derived.elements.is_empty()).then(|| elements::method(model, derived));
     let force_elements = (!derived.force_elements.is_empty()).then(|| elements::force_elements(model, derived));
-    let in_lanes = derived.kernels.contains_key(&Quantity::Accelerations).then(access_in_lanes);
+    let in_lanes = straight_with_elimination(derived).map(|_| access_in_lanes());
     let access_to_series = series.is_some().then(access_to_series);
     quote! {
         #structure
@@ -58,6 +78,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
             #elements
             #force_elements
             #in_lanes
+            #access_to_quasi
             ezy::access_to_numbers! {}
             #access_to_series
         }
@@ -74,6 +95,8 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
             #of_scene
         }
 
+        #powers
+        #quasi
         #series
     }
 }
@@ -115,6 +138,14 @@ fn describe(model: &Model, derived: &Derived<'_>, constants: &Constants<'_>, typ
     }
 }
 
+/// Of a scene whose kernels run in lanes.
+fn straight_with_elimination<'d>(derived: &'d Derived<'_>) -> Option<&'d Straight> {
+    match &derived.form {
+        Form::Straight(of) if derived.kernels.contains_key(&Quantity::Accelerations) => Some(of),
+        _ => None,
+    }
+}
+
 /// The methods of a trait that compute.
 fn methods(model: &Model, derived: &Derived<'_>, vocabulary: Vocabulary<'_>, of: Trait) -> TokenStream {
     let of_trait = signature::ALL.iter().filter(|signature| signature.of == of);
@@ -124,6 +155,11 @@ fn methods(model: &Model, derived: &Derived<'_>, vocabulary: Vocabulary<'_>, of:
         .map(|(signature, kernel)| {
             let method = Method { model, vocabulary, signature, kernel };
             let body = match &derived.form {
+                Form::Straight(_)
+                    if signature.quantity == Quantity::Power && straight_with_elimination(derived).is_some() =>
+                {
+                    quote!(ezy::Powers::powers(self, c, t, q, v, lambda, out);)
+                }
                 Form::Straight(of) => method.straight(&Lengths::new(derived, of)),
                 Form::Counted(_) if method.reads_sines() => {
                     takes_sines = true;
@@ -186,6 +222,15 @@ fn state_jacobian_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
 fn access_in_lanes() -> TokenStream {
     quote! {
         fn in_lanes(&self) -> ::core::option::Option<&dyn ezy::EquationsInLanes> {
+            ::core::option::Option::Some(self)
+        }
+    }
+}
+
+/// The method that hands out the equations in quasi-velocities.
+fn access_to_quasi() -> TokenStream {
+    quote! {
+        fn in_quasi_velocities(&self) -> ::core::option::Option<&dyn ezy::EquationsInQuasiVelocities> {
             ::core::option::Option::Some(self)
         }
     }

@@ -13,6 +13,8 @@ pub enum Trait {
     Equations,
     Derived,
     Scene,
+    QuasiVelocities,
+    Powers,
     Series,
 }
 
@@ -76,7 +78,7 @@ impl Order {
 const OUT: Writes = Writes::Vectors(&["out"]);
 
 /// Every method, in the order in which they are emitted.
-pub const ALL: [Signature; 26] = [
+pub const ALL: [Signature; 29] = [
     any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
     any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
     any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
@@ -99,11 +101,23 @@ pub const ALL: [Signature; 26] = [
     derived(Quantity::StateJacobians, "state_jacobians", &["t", "q", "v"], OUT),
     derived(Quantity::Elements, "element_values", &["t", "q", "v"], OUT),
     derived(Quantity::ElementPowers, "element_powers", &["t", "q", "v"], OUT),
+    quasi(Quantity::QuasiVelocities, "quasi_velocities", &["q", "v"], Writes::Vectors(&["quasi"])),
+    quasi(Quantity::Velocities, "velocities", &["t", "q", "quasi"], Writes::Vectors(&["v"])),
+    quasi(Quantity::QuasiAccelerations, "quasi_accelerations", &["t", "q", "quasi"], Writes::Vectors(&["a", "q_rate"])),
     series(Quantity::SeriesBegin, "begin", &["t"], Order::Start),
     series(Quantity::SeriesRightSide, "right_side", &["k"], Order::Present),
     series(Quantity::SeriesSolution, "solve", &["k"], Order::Present),
     series(Quantity::SeriesFinish, "finish", &["k"], Order::Present),
 ];
+
+/// [`Quantity::Power`] for any number, which the method of `Scene` calls: of scenes with a generated elimination, which run in lanes.
+pub const POWERS: Signature = Signature {
+    quantity: Quantity::Power,
+    of: Trait::Powers,
+    name: "powers",
+    reads: &["t", "q", "v", "lambda"],
+    writes: OUT,
+};
 
 const fn any(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {
     Signature { quantity, of: Trait::Equations, name, reads, writes }
@@ -117,15 +131,20 @@ const fn scene(quantity: Quantity, name: &'static str, reads: &'static [&'static
     Signature { quantity, of: Trait::Scene, name, reads, writes }
 }
 
+const fn quasi(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {
+    Signature { quantity, of: Trait::QuasiVelocities, name, reads, writes }
+}
+
 const fn series(quantity: Quantity, name: &'static str, reads: &'static [&'static str], order: Order) -> Signature {
     Signature { quantity, of: Trait::Series, name, reads, writes: Writes::Store(order) }
 }
 
 impl Signature {
-    /// Equations and series are written for any number, and so are the projected accelerations, which are made of equations.
+    /// Equations, in quasi-velocities too, powers and series are written for any number, and so are the projected accelerations, which are made of equations.
     pub const fn numbers(&self) -> Numbers {
         match (self.of, self.quantity) {
-            (Trait::Equations | Trait::Series, _) | (_, Quantity::ProjectedAccelerations) => Numbers::Any,
+            (Trait::Equations | Trait::QuasiVelocities | Trait::Powers | Trait::Series, _)
+            | (_, Quantity::ProjectedAccelerations) => Numbers::Any,
             (Trait::Derived | Trait::Scene, _) => Numbers::F64,
         }
     }
@@ -189,6 +208,9 @@ impl Signature {
             // part of loops that are compiled for several instruction sets
             Writes::Solution(_) if self.quantity == Quantity::Accelerations => {
                 (quote!(#[inline(always)]), None, quote!(-> ezy::Pivots))
+            }
+            Writes::Vectors(_) if matches!(self.of, Trait::QuasiVelocities | Trait::Powers) => {
+                (quote!(#[inline(always)]), None, quote!())
             }
             Writes::Solution(_) => (quote!(#[inline]), None, quote!(-> ezy::Pivots)),
             Writes::Value => (quote!(), None, quote!(-> #number)),

@@ -6,6 +6,7 @@ use super::kernels::{Entries, Kernels, Quantity};
 use super::lets::write_lets;
 use super::powers::{ForceElement, force_elements};
 use super::programs;
+use super::quasi::QuasiVelocities;
 use super::scene::Equations;
 use super::series::Series;
 use super::solve::Solutions;
@@ -46,6 +47,8 @@ pub struct Straight {
     pub equations: Equations,
     /// Blocks in the order of elimination, with whether the pivot is constant.
     pub elimination: Vec<(Vec<usize>, bool)>,
+    /// The equations in quasi-velocities, where they take fewer operations.
+    pub quasi: Option<QuasiVelocities>,
     /// `None` when they are too long to write.
     pub jacobians: Option<Jacobians>,
 }
@@ -87,9 +90,11 @@ impl<'m> Derived<'m> {
         let mut kernels = programs::straight(&equations, jacobians.as_ref(), &mut constants);
         let series = series.map(|series| kernels.extend(programs::series(vec![series])));
         let elimination = solutions.as_ref().map(|solutions| solutions.order.clone()).unwrap_or_default();
+        let quasi = solutions.as_ref().and_then(|of| QuasiVelocities::derive(&mut equations, of, &mut constants));
+        kernels.extend(quasi.iter().flat_map(|quasi| programs::quasi(&equations.algebra, quasi, &mut constants)));
         kernels.extend(solutions.into_iter().flat_map(programs::solutions));
         write_lets(model, scene, &mut equations.algebra, &mut equations.symbols);
-        let form = Form::Straight(Box::new(Straight { equations, elimination, jacobians }));
+        let form = Form::Straight(Box::new(Straight { equations, elimination, quasi, jacobians }));
         Self {
             scene: scene.clone(),
             form,

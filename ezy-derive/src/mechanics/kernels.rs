@@ -20,6 +20,12 @@ pub enum Quantity {
     Accelerations,
     Correction,
     ProjectedAccelerations,
+    /// From coordinates and velocities.
+    QuasiVelocities,
+    /// From coordinates and quasi-velocities.
+    Velocities,
+    /// The same, then the rates of the coordinates that they depend on.
+    QuasiAccelerations,
     Power,
     Points,
     Outputs,
@@ -107,6 +113,7 @@ impl<'m> Pass<'m> {
 pub enum Entries {
     Coordinates,
     Rows,
+    QuasiVelocities,
     /// Products of series.
     Products,
     /// Numbers of a whole step.
@@ -141,6 +148,7 @@ pub enum Read {
     Multiplier(usize),
     /// Of a row.
     Residual(usize),
+    QuasiVelocity(usize),
     /// Of the storage of a series.
     Slot(Slot),
 }

@@ -19,6 +19,7 @@ mod kinematics;
 mod lets;
 pub mod powers;
 mod programs;
+pub mod quasi;
 mod rows;
 pub mod scene;
 pub mod series;

@@ -4,6 +4,7 @@ use super::elements::Element;
 use super::jacobians::Jacobians;
 use super::kernels::{Entries, Kernel, Kernels, Pass, Put, Quantity, Read};
 use super::powers::ForceElement;
+use super::quasi::QuasiVelocities;
 use super::scene::{Equations, Group};
 use super::series::{Series, Solution};
 use super::solve::{Solutions, Solver};
@@ -116,6 +117,24 @@ pub fn solutions<'m>(solutions: Solutions) -> impl Iterator<Item = (Quantity, Ke
         let puts = (0..n_outputs).map(|i| Put::Next(usize::from(i >= first))).collect();
         (quantity, Kernel { passes: vec![Pass::once(program, puts, reads)], pivots: Some(pivots) })
     })
+}
+
+/// The kernels in quasi-velocities.
+pub fn quasi<'m>(algebra: &Algebra, of: &QuasiVelocities, constants: &mut ConstantPool) -> [(Quantity, Kernel<'m>); 3] {
+    let values = Lower { algebra, constants }.vector(&of.values);
+    let mut reads: Vec<(Symbol, Read)> =
+        of.symbols.iter().enumerate().map(|(k, &symbol)| (symbol, Read::QuasiVelocity(k))).collect();
+    reads.sort_by_key(|&(symbol, _)| symbol);
+    // the second of them fills two vectors
+    let kernel = |program: &Program, n_first: usize| {
+        let puts = (0..program.outputs().len()).map(|i| Put::Next(usize::from(i >= n_first))).collect();
+        Kernel::of(vec![Pass::once(program.clone(), puts, reads.clone())])
+    };
+    [
+        (Quantity::QuasiVelocities, values),
+        (Quantity::Velocities, kernel(&of.velocities, usize::MAX)),
+        (Quantity::QuasiAccelerations, kernel(&of.accelerations, of.symbols.len())),
+    ]
 }
 
 /// The kernels of the Taylor series of a scene, or of the items of a scene with counts.

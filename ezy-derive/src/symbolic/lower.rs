@@ -38,6 +38,8 @@ pub struct Lowering<'a> {
     constants: &'a mut ConstantPool,
     planner: Planner,
     bindings: FxHashMap<Symbol, Value>,
+    /// Sine and cosine of angles that are bare symbols.
+    sines: FxHashMap<Symbol, [Value; 2]>,
     done: FxHashMap<SumId, Value>,
 }
 
@@ -49,6 +51,7 @@ impl<'a> Lowering<'a> {
             constants,
             planner: Planner::default(),
             bindings: FxHashMap::default(),
+            sines: FxHashMap::default(),
             done: FxHashMap::default(),
         }
     }
@@ -56,6 +59,11 @@ impl<'a> Lowering<'a> {
     /// From here on `symbol` stands for a value already computed.
     pub fn bind(&mut self, symbol: Symbol, value: Value) {
         self.bindings.insert(symbol, value);
+    }
+
+    /// From here on these are sine and cosine of `symbol`, already computed.
+    pub fn bind_sines(&mut self, symbol: Symbol, sines: [Value; 2]) {
+        self.sines.insert(symbol, sines);
     }
 
     /// What was lowered is lowered anew, with other values bound; equal operations stay one.
@@ -138,16 +146,26 @@ impl<'a> Lowering<'a> {
             },
             Atom::Group(sum) => self.lower(sum),
             Atom::Sin(angle) => {
+                if let Some([sin, _]) = self.bound_sines(angle) {
+                    return sin;
+                }
                 let angle = self.lower(angle);
                 let sin = self.program.leaf(Node::Sin(angle.node));
                 if angle.negative { sin.neg() } else { sin }
             }
             Atom::Cos(angle) => {
+                if let Some([_, cos]) = self.bound_sines(angle) {
+                    return cos;
+                }
                 let angle = self.lower(angle);
                 self.program.leaf(Node::Cos(angle.node))
             }
             Atom::Call(function, arguments) => self.call(function, &arguments),
         }
+    }
+
+    fn bound_sines(&self, angle: SumId) -> Option<[Value; 2]> {
+        self.sines.get(&self.algebra.as_symbol(angle)?).copied()
     }
 
     fn call(&mut self, function: Function, arguments: &[SumId]) -> Value {

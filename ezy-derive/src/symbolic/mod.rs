@@ -7,7 +7,6 @@
 //!
 //! Nothing here knows bodies or tokens.
 
-mod at_zero;
 mod break_lines;
 pub mod call;
 pub mod coefficient;
@@ -22,6 +21,7 @@ pub mod print;
 pub mod product;
 pub mod program;
 pub mod spelling;
+mod substitute;
 pub mod sum;
 #[cfg(test)]
 mod tests;

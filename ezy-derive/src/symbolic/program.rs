@@ -62,6 +62,13 @@ pub struct Count {
     pub calls: usize,
 }
 
+impl Count {
+    /// Trigonometry and other calls are counted apart.
+    pub fn arithmetic(&self) -> usize {
+        self.add + self.mul + self.div
+    }
+}
+
 impl std::iter::Sum for Count {
     fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
         counts.fold(Self::default(), |a, b| Self {

@@ -115,6 +115,16 @@ impl Algebra {
         }
     }
 
+    /// The symbol, when the sum is nothing else.
+    pub fn as_symbol(&self, id: SumId) -> Option<Symbol> {
+        let [(monomial, Coefficient::ONE)] = self.terms(id)[..] else { return None };
+        let [(atom, 1)] = self.monomial(monomial)[..] else { return None };
+        match self.atom(atom) {
+            Atom::Symbol(symbol) => Some(*symbol),
+            _ => None,
+        }
+    }
+
     pub fn constant(&mut self, k: Coefficient) -> SumId {
         self.sum(vec![(MonomialId::ONE, k)])
     }

@@ -78,6 +78,7 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
             "rows": list(step.rows, |row| json!(info.rows[*row].name)),
             "constant_pivot": step.constant_pivot,
         })),
+        "quasi_velocities": info.quasi_velocities.map(|of| list(of.formulas, formula)),
         "operations": operations,
     })
 }

@@ -58,6 +58,10 @@ fn content(info: &SceneInfo) -> String {
         let steps: String = info.elimination.iter().map(|step| elimination(info, step)).collect();
         text += &format!("\nOrder of elimination:\n\\begin{{enumerate}}\n{steps}\\end{{enumerate}}\n");
     }
+    if let Some(of) = info.quasi_velocities {
+        let formulas: Vec<String> = of.formulas.iter().map(|formula| format!("${}$", formula.latex)).collect();
+        text += &format!("\nQuasi-velocities: {}.\n", formulas.join(", "));
+    }
     let heads = std::iter::once("operations").chain(OPERATIONS).map(str::to_owned).collect::<Vec<_>>();
     let rows = kernels(info)
         .into_iter()

@@ -33,6 +33,10 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     }
     text += &format!("\nsparsity of the Jacobian [C_q; S]: x, y and phi of each body\n\n{}", indent(&sparsity(info)));
     text += &format!("\norder of elimination\n\n{}", indent(&elimination(info)));
+    if let Some(of) = info.quasi_velocities {
+        let formulas: String = of.formulas.iter().map(|formula| format!("{}\n", formula.text)).collect();
+        text += &format!("\nquasi-velocities, in which gauss solves\n\n{}", indent(&formulas));
+    }
     let mut operations = Table::new(std::iter::once("operations").chain(OPERATIONS));
     for (name, numbers) in kernels(info) {
         operations.push(std::iter::once(name.to_owned()).chain(numbers.map(|n| n.to_string())));

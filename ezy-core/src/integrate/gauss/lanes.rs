@@ -44,7 +44,11 @@ pub(super) fn integrate_some(h: f64, start: &[f64], slopes: &[Eight], which: &[u
 pub(super) fn coefficients(values: &[Eight], out: &mut [Eight]) {
     in_widest(
         #[inline(always)]
-        || values.iter().zip(out).for_each(|(values, out)| *out = times(&TO_COEFFICIENTS, values)),
+        || {
+            for (values, out) in values.iter().zip(out) {
+                *out = times(&TO_COEFFICIENTS, values);
+            }
+        },
     );
 }
 
@@ -90,16 +94,30 @@ pub(super) fn change(one: &[Eight], other: &[Eight], weights: &[f64]) -> f64 {
 
 /// The largest value of a number, each with its weight.
 pub(super) fn size(values: &[Eight], weights: &[f64]) -> f64 {
-    values.iter().zip(weights).fold(0.0, |size: f64, (values, weight)| size.max(values.magnitude() * weight))
+    in_widest(
+        #[inline(always)]
+        || {
+            let mut size = 0.0_f64;
+            for (values, weight) in values.iter().zip(weights) {
+                size = size.max(values.magnitude() * weight);
+            }
+            size
+        },
+    )
 }
 
 /// The largest coefficient of each degree, each number with its weight.
 pub(super) fn sizes(coefficients: &[Eight], weights: &[f64]) -> [f64; N] {
-    let mut largest = Lanes([0.0; N]);
-    for (coefficients, weight) in coefficients.iter().zip(weights) {
-        largest = largest.max(coefficients.abs() * Eight::from_f64(*weight));
-    }
-    largest.0
+    in_widest(
+        #[inline(always)]
+        || {
+            let mut largest = Lanes([0.0; N]);
+            for (coefficients, weight) in coefficients.iter().zip(weights) {
+                largest = largest.max(coefficients.abs() * Eight::from_f64(*weight));
+            }
+            largest.0
+        },
+    )
 }
 
 /// `Σ weights · values` over the nodes.

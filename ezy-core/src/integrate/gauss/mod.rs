@@ -2,17 +2,21 @@
 
 mod collocation;
 mod control;
+mod convergence;
 mod lanes;
+mod quasi;
 mod tableau;
 
 use super::{Node, compensated, step_control::Tolerance};
 use crate::archive::Archive;
 use crate::dynamics::{EightStates, MotionError, State, System};
-use crate::integrate::tolerances::gauss::{FIRST_CHANGE, GROWING, MAX_SWEEPS, OF_SWEEPS, ROUNDING, STALLED};
+use crate::integrate::tolerances::gauss::{FIRST_CHANGE, OF_SWEEPS};
 use crate::model::{Eight, Scene, SceneRef};
 use crate::scalar::{Lanes, Scalar};
 pub(crate) use collocation::Collocation;
 use control::GaussControl;
+use convergence::{Convergence, Sweeps};
+use quasi::QuasiSweeps;
 use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, legendre, weights_up_to};
 
 /// Legendre polynomials at the start of a step.
@@ -30,24 +34,6 @@ pub(crate) enum Collocated {
     Diverged,
 }
 
-/// How sweeps converged.
-struct Convergence {
-    /// Mean of the rates.
-    rate: f64,
-    /// By how much the equations change accelerations over the step, at most: sweep n has the rate z/n where they are linear.
-    steepness: f64,
-}
-
-impl Convergence {
-    /// In so many sweeps, of which the last one changed accelerations by this part of the first one.
-    fn new(n_sweeps: u32, last: f64) -> Self {
-        let n_sweeps = f64::from(n_sweeps);
-        let rate =
-            if n_sweeps > 1.0 { last.max(f64::EPSILON * f64::EPSILON).powf(1.0 / (n_sweeps - 1.0)) } else { 0.0 };
-        Self { rate, steepness: n_sweeps * rate }
-    }
-}
-
 /// Collocation for q' = v, v' = a(t, q, v), w' = power of each effect.
 ///
 /// The accelerations on a step are a polynomial of degree 7 that meets the equations at eight nodes. Sweeps find it: integrals of the
@@ -61,6 +47,8 @@ pub(crate) struct Gauss {
     nodes: EightStates,
     /// The coordinates that accelerations depend on.
     feedback: Vec<usize>,
+    /// For a scene with equations in quasi-velocities.
+    quasi: Option<QuasiSweeps>,
     /// Accelerations of the sweep before.
     before: Vec<Eight>,
     /// Legendre coefficients of the accelerations of the step that was tried last, and of the step before it.
@@ -78,6 +66,8 @@ pub(crate) struct Gauss {
     /// Power of each effect at the nodes, and change of a power to change of the work over the tolerance.
     power: Vec<Eight>,
     work_weights: Vec<f64>,
+    /// Legendre coefficients of the powers.
+    of_power: Vec<Eight>,
     /// Parts of the step that was tried last, of which the first `n_parts` are solved for.
     parts: Vec<Part>,
     n_parts: usize,
@@ -95,6 +85,7 @@ impl Gauss {
         Self {
             nodes: EightStates::new(scene),
             feedback: info.feedback.map_or_else(|| (0..n_q).collect(), <[usize]>::to_vec),
+            quasi: QuasiSweeps::new(scene),
             before: zeros(n_q),
             coefficients: zeros(n_q),
             last: zeros(n_q),
@@ -105,6 +96,7 @@ impl Gauss {
             weights: vec![0.0; n_q],
             power: zeros(n_works),
             work_weights: vec![0.0; n_works],
+            of_power: zeros(n_works),
             parts: Vec::new(),
             n_parts: 0,
             rest: State::zero(n_q, n_works),
@@ -115,6 +107,7 @@ impl Gauss {
     /// Forgets the steps taken so far, before another run.
     pub(crate) fn restart(&mut self) {
         (self.last_s, self.tried_s) = (None, None);
+        self.quasi.iter_mut().for_each(QuasiSweeps::restart);
         [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work].into_iter().for_each(|rest| rest.fill(0.0));
     }
 
@@ -124,6 +117,7 @@ impl Gauss {
         self.last.iter_mut().for_each(|lanes| archive.numbers(&mut lanes.0));
         archive.numbers(&mut self.last_sizes);
         archive.option(&mut self.last_s);
+        self.quasi.iter_mut().for_each(|quasi| quasi.remember(archive));
     }
 
     /// Attempts one step of length `h` from `from`; writes `to`, not yet projected.
@@ -141,9 +135,20 @@ impl Gauss {
         to: &mut State,
     ) -> Result<Collocated, MotionError> {
         self.begin(system, from, h, tolerance);
-        let Some(Convergence { rate, steepness }) = self.sweep(system, from.state, h)? else {
-            return Ok(Collocated::Diverged);
+        let Self { nodes, quasi, weights, .. } = self;
+        let converged = quasi.as_mut().and_then(|quasi| quasi.sweep(system, nodes, from.state, h, weights));
+        let converged = match converged {
+            Some(Some(converged)) => {
+                nodes.accelerate(system)?;
+                Some(converged)
+            }
+            Some(None) => None,
+            None => {
+                self.continue_accelerations(from, h);
+                self.sweep(system, from.state, h)?
+            }
         };
+        let Some(Convergence { rate, steepness }) = converged else { return Ok(Collocated::Diverged) };
         self.complete(system, from.state, h);
         self.end(from.state, h, to);
         let [error, dense_error] = self.errors(from, steepness);
@@ -162,24 +167,30 @@ impl Gauss {
             std::mem::swap(&mut self.last, &mut self.coefficients);
             self.last_sizes = self.sizes;
             self.last_s = Some(tried_s);
+            self.quasi.iter_mut().for_each(|quasi| quasi.accept(tried_s));
         }
     }
 
     fn begin<P: SceneRef>(&mut self, system: &System<P>, from: Node<'_>, h: f64, tolerance: Tolerance) {
-        let Self { nodes, last, last_sizes, last_s, tried_s, weights, work_weights, .. } = self;
+        let Self { nodes, tried_s, weights, work_weights, .. } = self;
         nodes.begin(system);
         nodes.t = NODES.fused(Eight::from_f64(h), Eight::from_f64(from.state.t));
         *tried_s = Some(h);
+        write_weights(from.state, h, tolerance, weights);
+        let works = work_weights.iter_mut().zip(&from.state.work);
+        works.for_each(|(weight, work)| *weight = h / (tolerance.absolute + tolerance.relative * work.abs()));
+        self.n_parts = 0;
+    }
+
+    /// The first guess of the accelerations at the nodes.
+    fn continue_accelerations(&mut self, from: Node<'_>, h: f64) {
+        let Self { nodes, last, last_sizes, last_s, .. } = self;
         match last_s {
             Some(last_s) => {
                 lanes::evaluate(last, useful_degree(last_sizes, h / *last_s), 1.0, h / *last_s, &mut nodes.a)
             }
             None => nodes.a.iter_mut().zip(from.a).for_each(|(nodes, a)| *nodes = Eight::from_f64(*a)),
         }
-        write_weights(from.state, h, tolerance, weights);
-        let works = work_weights.iter_mut().zip(&from.state.work);
-        works.for_each(|(weight, work)| *weight = h / (tolerance.absolute + tolerance.relative * work.abs()));
-        self.n_parts = 0;
     }
 
     /// Sweeps until the accelerations at the nodes belong to the states there; none where they do not converge.
@@ -191,34 +202,17 @@ impl Gauss {
     ) -> Result<Option<Convergence>, MotionError> {
         let Self { nodes, feedback, before, weights, .. } = self;
         nodes.q.iter_mut().zip(&from.q).for_each(|(nodes, q)| *nodes = Eight::from_f64(*q));
-        let (mut first, mut last_change, mut last_rate) = (0.0, 0.0, 1.0_f64);
-        for n in 1..=MAX_SWEEPS {
+        let mut sweeps = Sweeps::default();
+        loop {
             lanes::integrate(h, &from.v, &nodes.a, &mut nodes.v);
             lanes::integrate_some(h, &from.q, &nodes.v, feedback, &mut nodes.q);
             std::mem::swap(before, &mut nodes.a);
             nodes.accelerate(system)?;
             let change = lanes::change(&nodes.a, before, weights);
-            if !change.is_finite() {
-                return Ok(None);
+            if let Some(ended) = sweeps.see(change, || lanes::size(&nodes.a, weights)) {
+                return Ok(ended);
             }
-            // the first change tells no rate
-            let rate = if n == 1 {
-                first = change;
-                1.0
-            } else {
-                change / last_change
-            };
-            // two rates: one may be small by chance, the first one because the first guess lacks high degrees, which hardly move anything
-            if change * rate.max(last_rate).min(1.0) <= OF_SWEEPS {
-                return Ok(Some(Convergence::new(n, change / first)));
-            }
-            if rate.min(last_rate) >= STALLED && n > GROWING {
-                let is_rounding = change <= ROUNDING * lanes::size(&nodes.a, weights);
-                return Ok(is_rounding.then(|| Convergence::new(n, change / first)));
-            }
-            (last_change, last_rate) = (change, rate);
         }
-        Ok(None)
     }
 
     /// Velocities and powers at the nodes, from the accelerations there.
@@ -229,13 +223,7 @@ impl Gauss {
             return;
         }
         lanes::integrate(h, &from.q, &nodes.v, &mut nodes.q);
-        let mut of_node = vec![0.0; power.len()];
-        for lane in 0..N {
-            let t = nodes.t.0[lane];
-            let one = nodes.one(lane);
-            system.power(t, &one.q, &one.v, &one.lambda, &mut of_node);
-            power.iter_mut().zip(&of_node).for_each(|(power, of_node)| power.0[lane] = *of_node);
-        }
+        nodes.powers(system, power);
     }
 
     /// The end of the step that was tried last.
@@ -266,15 +254,14 @@ impl Gauss {
 
     /// Errors over the tolerance at the end of the step and within it, from the Legendre coefficients of the slopes.
     fn errors(&mut self, from: Node<'_>, steepness: f64) -> [f64; 2] {
-        let Self { nodes, power, coefficients, weights, sizes, .. } = self;
+        let Self { nodes, power, of_power, coefficients, weights, sizes, .. } = self;
         lanes::coefficients(&nodes.a, coefficients);
         *sizes = lanes::sizes(coefficients, weights);
         let [error, next] = error_of_slopes(coefficients, weights, sizes, from.a, steepness);
         let mut of_works = 0.0;
         if !power.is_empty() {
-            let mut coefficients = vec![Eight::from_f64(0.0); power.len()];
-            lanes::coefficients(power, &mut coefficients);
-            of_works = next_coefficient(&lanes::sizes(&coefficients, &self.work_weights)).0;
+            lanes::coefficients(power, of_power);
+            of_works = next_coefficient(&lanes::sizes(of_power, &self.work_weights)).0;
         }
         [error, LARGEST_INTEGRAL * next.max(of_works)]
     }

@@ -7,6 +7,7 @@ mod laws;
 mod mechanism;
 mod models;
 mod oracle;
+mod quasi;
 mod run;
 mod series;
 mod solutions;
@@ -14,6 +15,7 @@ mod states;
 
 use std::sync::OnceLock;
 
+use super::quasi::QuasiVelocities;
 use super::series::Series;
 use super::solve::Solutions;
 use super::symbols::Meaning;
@@ -47,6 +49,8 @@ struct Trial {
     solutions: Solutions,
     /// Or the function that has none.
     series: Result<Series<'static>, Function>,
+    /// Where rows give velocities by constant pivots.
+    quasi: Option<QuasiVelocities>,
 }
 
 /// Every mechanism that the macro accepts.
@@ -73,8 +77,9 @@ impl Trial {
         let mut constants = ConstantPool::default();
         let solutions = Solutions::derive(&mut equations, &mut constants).expect("few rows meet in one body");
         let series = Series::derive(&mut equations, &mut constants);
+        let quasi = QuasiVelocities::of_rows(&mut equations, &solutions, &mut constants);
         let parameters = model.parameters.iter().map(|parameter| parameter.default).collect();
-        let mut trial = Self { seed, made, parameters, equations, numbers: Vec::new(), solutions, series };
+        let mut trial = Self { seed, made, parameters, equations, numbers: Vec::new(), solutions, series, quasi };
         let state = &trial.states()[0];
         let at = At { trial: &trial, state, lambda: &[] };
         let number = |&id| trial.equations.algebra.evaluate_coefficient(unsigned(id), &at);

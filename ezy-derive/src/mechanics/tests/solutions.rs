@@ -8,10 +8,10 @@ use super::{At, ROUNDING, Trial, trials};
 use crate::mechanics::solve::Solutions;
 
 /// Elimination and comparison each err by some hundred roundings times the condition of K.
-const PER_CONDITION: f64 = 1e-13;
+pub const PER_CONDITION: f64 = 1e-13;
 
 /// a and λ of the dense solution.
-fn dense_solution(trial: &Trial, state: &State) -> (Matrix, Vec<f64>) {
+pub fn dense_solution(trial: &Trial, state: &State) -> (Matrix, Vec<f64>) {
     let k = trial.kkt(state);
     let mut right_side = trial.values(&trial.equations.force, state);
     right_side.extend(trial.values(&trial.equations.constraints.convective, state).iter().map(|x| -x));
@@ -65,7 +65,7 @@ fn cross_projected_accelerations_of_random_mechanisms_are_the_dense_ones() {
 }
 
 /// The nearest velocities, in the metric of the masses, that obey the rows.
-fn admissible(trial: &Trial, state: &State) -> State {
+pub fn admissible(trial: &Trial, state: &State) -> State {
     let rates = trial.values(&trial.equations.constraints.velocity, state);
     let right_side: Vec<f64> = state.q.iter().map(|_| 0.0).chain(rates.iter().map(|r| -r)).collect();
     let change = trial.kkt(state).solve(&right_side).expect("the state is regular");

@@ -11,7 +11,7 @@ impl ezy::Derived for Coast {
     ) -> ezy::Pivots {
         use ezy::Scalar as _;
         type T = f64;
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let v = ezy::array::<6usize, T>(v);
         let out = ezy::array_mut::<20usize, T>(out);
@@ -242,7 +242,7 @@ impl ezy::Derived for Coast {
         by_q: &mut [f64],
         by_v: &mut [f64],
     ) {
-        let c = ezy::array::<32usize, f64>(c);
+        let c = ezy::array::<46usize, f64>(c);
         let q = ezy::array::<6usize, f64>(q);
         let v = ezy::array::<6usize, f64>(v);
         let a = ezy::array::<6usize, f64>(a);
@@ -313,7 +313,7 @@ impl ezy::Derived for Coast {
         by_v[9usize] = cos_bar_phi * bar_vx + sin_bar_phi * bar_vy;
     }
     fn element_values(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let c = ezy::array::<32usize, f64>(c);
+        let c = ezy::array::<46usize, f64>(c);
         let q = ezy::array::<6usize, f64>(q);
         let v = ezy::array::<6usize, f64>(v);
         let out = ezy::array_mut::<16usize, f64>(out);
@@ -442,6 +442,11 @@ impl ezy::Derived for Coast {
         ezy::List::Borrowed(ELEMENTS)
     }
     fn in_lanes(&self) -> ::core::option::Option<&dyn ezy::EquationsInLanes> {
+        ::core::option::Option::Some(self)
+    }
+    fn in_quasi_velocities(
+        &self,
+    ) -> ::core::option::Option<&dyn ezy::EquationsInQuasiVelocities> {
         ::core::option::Option::Some(self)
     }
     ezy::access_to_numbers! {}

@@ -2,7 +2,7 @@
 impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
         let parameters = ezy::array::<8usize, T>(parameters);
-        let c = ezy::array_mut::<32usize, T>(c);
+        let c = ezy::array_mut::<46usize, T>(c);
         let m1 = parameters[4usize];
         let i1 = parameters[5usize];
         let m2 = parameters[6usize];
@@ -57,6 +57,47 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         let k57 = T::from_f64(0.0000000001f64) * k56;
         let b_two = b * T::from_f64(2f64);
         let d_two = d * T::from_f64(2f64);
+        let c_plus_d = parameter_c + d;
+        let k61 = T::from_f64(1f64) / c_plus_d;
+        let k62 = b * k61;
+        let k63 = d * k61;
+        let k64 = T::from_f64(1f64) - k63;
+        let k65 = d * k62;
+        let k66 = k65 - b;
+        let a_plus_b = parameter_a + b;
+        let k68 = k64 * parameter_a;
+        let k69 = k68 - k66;
+        let k70 = k61 * parameter_a;
+        let k71 = -(k70 + k62);
+        let k72 = k64 * k64;
+        let k73 = k72 * m2;
+        let k74 = k61 * k61;
+        let k75 = k74 * i2;
+        let k76 = m1 + k73;
+        let k77 = k76 + k75;
+        let k78 = m2 - k73;
+        let k79 = k78 - k75;
+        let k80 = k61 * i2;
+        let k81 = a_plus_b * m2;
+        let k82 = k69 * k64;
+        let k83 = k82 * m2;
+        let k84 = k71 * k61;
+        let k85 = k84 * i2;
+        let k86 = k81 - k83;
+        let k87 = k86 + k85;
+        let a_squared_m1 = a_squared * m1;
+        let k89 = a_plus_b * a_plus_b;
+        let k90 = k89 * m2;
+        let k91 = k69 * k69;
+        let k92 = k91 * m2;
+        let k93 = k71 * k71;
+        let k94 = k93 * i2;
+        let a_squared_m1_plus_i1 = a_squared_m1 + i1;
+        let k96 = a_squared_m1_plus_i1 + k90;
+        let k97 = k92 - k90;
+        let k98 = k97 + k94;
+        let a_m1 = parameter_a * m1;
+        let k100 = k71 * i2;
         c[0usize] = k42;
         c[1usize] = k47;
         c[2usize] = k46;
@@ -89,9 +130,23 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         c[29usize] = pi_over_two;
         c[30usize] = b_two;
         c[31usize] = d_two;
+        c[32usize] = k64;
+        c[33usize] = k66;
+        c[34usize] = k61;
+        c[35usize] = k62;
+        c[36usize] = k79;
+        c[37usize] = k77;
+        c[38usize] = k87;
+        c[39usize] = k98;
+        c[40usize] = k96;
+        c[41usize] = k80;
+        c[42usize] = k69;
+        c[43usize] = k100;
+        c[44usize] = a_m1;
+        c[45usize] = a_plus_b;
     }
     fn mass_matrix(&self, c: &[T], out: &mut [T]) {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let out = ezy::array_mut::<6usize, T>(out);
         let m1 = c[25usize];
         let i1 = c[26usize];
@@ -105,7 +160,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         out[5usize] = i2;
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let out = ezy::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
@@ -130,7 +185,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         );
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let v = ezy::array::<6usize, T>(v);
         let out = ezy::array_mut::<4usize, T>(out);
@@ -172,7 +227,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         );
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let out = ezy::array_mut::<14usize, T>(out);
         let b = c[4usize];
@@ -199,7 +254,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         out[13usize] = parameter_c;
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let v = ezy::array::<6usize, T>(v);
         let out = ezy::array_mut::<4usize, T>(out);
@@ -234,7 +289,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         out[3usize] = -product_33;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let v = ezy::array::<6usize, T>(v);
         let out = ezy::array_mut::<6usize, T>(out);
@@ -246,7 +301,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         out[5usize] = T::from_f64(0f64);
     }
     fn outputs(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let v = ezy::array::<6usize, T>(v);
         let out = ezy::array_mut::<0usize, T>(out);
@@ -261,7 +316,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         a: &mut [T],
         lambda: &mut [T],
     ) -> ezy::Pivots {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let v = ezy::array::<6usize, T>(v);
         let a = ezy::array_mut::<6usize, T>(a);
@@ -385,7 +440,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         residual: &[T],
         delta: &mut [T],
     ) -> ezy::Pivots {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let residual = ezy::array::<4usize, T>(residual);
         let delta = ezy::array_mut::<6usize, T>(delta);

@@ -394,7 +394,7 @@ impl Coast {
         switches: &[],
         effects: &[],
         until_s: 1f64,
-        n_constants: 32usize,
+        n_constants: 46usize,
         jacobian: ezy::SparsityPattern::new(
             &[0usize, 4usize, 8usize, 11usize, 14usize],
             &[
@@ -647,6 +647,28 @@ impl Coast {
             calls: 0usize,
         },
         feedback: ::core::option::Option::Some(&[2usize, 5usize]),
+        quasi_velocities: ::core::option::Option::Some(ezy::QuasiVelocitiesInfo {
+            formulas: &[
+                ezy::Formula {
+                    text: "seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi)",
+                    latex: "\\dot{x}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ezy::Formula {
+                    text: "seat.omega",
+                    latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
+                    mathml: "<mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
+                },
+            ],
+            feedback: &[2usize, 5usize],
+            operations: ezy::Operations {
+                add: 25usize,
+                mul: 50usize,
+                div: 2usize,
+                trig: 1usize,
+                calls: 0usize,
+            },
+        }),
         series: ezy::SeriesInfo::Analytic {
             n_products: 16usize,
             operations: ezy::Operations {

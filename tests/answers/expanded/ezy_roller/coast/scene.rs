@@ -40,14 +40,10 @@ impl ezy::Scene for Coast {
         lambda: &[f64],
         out: &mut [f64],
     ) {
-        let c = ezy::array::<32usize, f64>(c);
-        let q = ezy::array::<6usize, f64>(q);
-        let v = ezy::array::<6usize, f64>(v);
-        let lambda = ezy::array::<4usize, f64>(lambda);
-        let out = ezy::array_mut::<0usize, f64>(out);
+        ezy::Powers::powers(self, c, t, q, v, lambda, out);
     }
     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-        let c = ezy::array::<32usize, f64>(c);
+        let c = ezy::array::<46usize, f64>(c);
         let q = ezy::array::<6usize, f64>(q);
         let out = ezy::array_mut::<6usize, f64>(out);
         let seat_x = q[0usize];
@@ -72,7 +68,7 @@ impl ezy::Scene for Coast {
         0f64
     }
     fn start(&self, c: &[f64], start: &mut ezy::Start) {
-        let c = ezy::array::<32usize, f64>(c);
+        let c = ezy::array::<46usize, f64>(c);
         let parameter_a = c[21usize];
         let pi_over_two = c[29usize];
         start.give_position(0usize, parameter_a);

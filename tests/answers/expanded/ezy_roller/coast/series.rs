@@ -10,7 +10,7 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         }
     }
     fn begin(&self, c: &[T], t: T, store: &mut ezy::SeriesStore<T>) -> ezy::Pivots {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let q = ezy::row::<6usize, T>(&store.q, 0);
         let v = ezy::row::<6usize, T>(&store.q, 1);
         let b = c[4usize];
@@ -131,7 +131,7 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
     }
     #[inline(always)]
     fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let sums = ezy::array::<16usize, T>(&store.sums);
         let convolved_0 = sums[0usize];
         let convolved_1 = sums[1usize];
@@ -188,7 +188,7 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
     }
     #[inline(always)]
     fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
-        let c = ezy::array::<32usize, T>(c);
+        let c = ezy::array::<46usize, T>(c);
         let base = ezy::array::<8usize, T>(&store.base);
         let force = ezy::array::<6usize, T>(&store.force);
         let row = ezy::array::<4usize, T>(&store.row);

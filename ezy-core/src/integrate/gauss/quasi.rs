@@ -1,0 +1,242 @@
+//! Sweeps in quasi-velocities: fewer numbers, and fewer operations for each.
+
+use super::convergence::{Convergence, Sweeps};
+use super::lanes;
+use super::tableau::N;
+use super::useful_degree;
+use crate::archive::Archive;
+use crate::dynamics::{EightStates, State, System};
+use crate::integrate::tolerances::gauss::SAME_VELOCITIES;
+use crate::model::{Derived as _, Eight, EquationsInQuasiVelocities, N_LANES, QuasiVelocitiesInfo, Scene, SceneRef};
+use crate::scalar::Scalar;
+
+/// Quasi-velocities at the nodes, and the coordinates that they depend on.
+#[derive(Debug)]
+pub(super) struct QuasiSweeps {
+    info: QuasiVelocitiesInfo,
+    n_u: usize,
+    /// At the start of the step: quasi-velocities, then those coordinates.
+    start: Vec<f64>,
+    /// The same at the nodes, and their slopes there: those of the present sweep, and of the sweep before.
+    values: Vec<Eight>,
+    slopes: Vec<Eight>,
+    before: Vec<Eight>,
+    /// Change of a slope to change of the state over the tolerance.
+    weights: Vec<f64>,
+    /// Legendre coefficients of the slopes of the step that was tried last, and of the step before it.
+    coefficients: Vec<Eight>,
+    last: Vec<Eight>,
+    /// Length of the step before, s; none where it was solved for otherwise.
+    last_s: Option<f64>,
+    /// Whether the step that was tried last was solved for so.
+    is_tried: bool,
+}
+
+impl QuasiSweeps {
+    /// `None` for a scene without such equations.
+    pub(super) fn new<S: Scene + ?Sized>(scene: &S) -> Option<Self> {
+        let info = scene.info().quasi_velocities.filter(|_| scene.in_quasi_velocities().is_some())?;
+        let n_u = info.formulas.len();
+        let n = n_u + info.feedback.len();
+        let zeros = || vec![Eight::from_f64(0.0); n];
+        Some(Self {
+            info,
+            n_u,
+            start: vec![0.0; n],
+            values: zeros(),
+            slopes: zeros(),
+            before: zeros(),
+            weights: vec![0.0; n],
+            coefficients: zeros(),
+            last: zeros(),
+            last_s: None,
+            is_tried: false,
+        })
+    }
+
+    pub(super) fn restart(&mut self) {
+        (self.last_s, self.is_tried) = (None, false);
+    }
+
+    /// Writes what the next step takes from the last one, or reads it.
+    pub(super) fn remember(&mut self, archive: &mut Archive) {
+        self.last.iter_mut().for_each(|lanes| archive.numbers(&mut lanes.0));
+        archive.option(&mut self.last_s);
+    }
+
+    /// Keeps the step of this length that was tried last.
+    pub(super) fn accept(&mut self, h: f64) {
+        std::mem::swap(&mut self.last, &mut self.coefficients);
+        self.last_s = std::mem::take(&mut self.is_tried).then_some(h);
+    }
+
+    /// The equations, where the step can be solved for so: the scene's own elimination is at work, and quasi-velocities of the start give back
+    /// its velocities. They do not where those do not obey the rows, nor where a pivot vanishes that depends on parameters.
+    ///
+    /// `weights` are those of accelerations; the nodes are overwritten.
+    fn begin<'s, P: SceneRef>(
+        &mut self,
+        system: &'s System<P>,
+        nodes: &mut EightStates,
+        from: &State,
+        h: f64,
+        weights: &[f64],
+    ) -> Option<&'s dyn EquationsInQuasiVelocities> {
+        self.is_tried = false;
+        let equations = system.scene().in_quasi_velocities().filter(|_| nodes.eliminates(system))?;
+        let Self { info, n_u, start, values, slopes, .. } = self;
+        let (u, q) = start.split_at_mut(*n_u);
+        equations.quasi_velocities_of(system.fixed(), &from.q, &from.v, u);
+        q.iter_mut().zip(info.feedback).for_each(|(q, &i)| *q = from.q[i]);
+
+        // a column of R in each lane, then the velocities where u is zero, then those at the start
+        let (times, unit) = (std::mem::replace(&mut nodes.t, Eight::from_f64(from.t)), &mut values[..*n_u]);
+        for (k, (unit, u)) in unit.iter_mut().zip(&*u).enumerate() {
+            unit.0 = std::array::from_fn(|lane| if lane == N_LANES - 1 { *u } else { f64::from(u8::from(lane == k)) });
+        }
+        nodes.q.iter_mut().zip(&from.q).for_each(|(nodes, q)| *nodes = Eight::from_f64(*q));
+        equations.velocities_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, unit, &mut nodes.v);
+        let fastest = from.v.iter().fold(0.0, |fastest: f64, v| fastest.max(v.abs()));
+        let gives_back = |(found, v): (&Eight, &f64)| (found.0[N_LANES - 1] - v).abs() <= SAME_VELOCITIES * fastest;
+        let gives_back = nodes.v.iter().zip(&from.v).all(gives_back);
+        for (k, of_u) in self.weights[..*n_u].iter_mut().enumerate() {
+            let changes = nodes.v.iter().zip(weights).map(|(v, weight)| (v.0[k] - v.0[N_LANES - 2]).abs() * weight);
+            *of_u = changes.fold(0.0, f64::max);
+        }
+        // a rate changes its coordinate as an acceleration changes a velocity: by the length of the step
+        for (of_q, &i) in self.weights[*n_u..].iter_mut().zip(info.feedback) {
+            *of_q = weights[i];
+        }
+        nodes.t = times;
+        if !gives_back {
+            return None;
+        }
+        match self.last_s {
+            Some(last_s) => {
+                let sizes = lanes::sizes(&self.last, &self.weights);
+                lanes::evaluate(&self.last, useful_degree(&sizes, h / last_s), 1.0, h / last_s, slopes);
+            }
+            None => {
+                values.iter_mut().zip(&*u).for_each(|(values, u)| *values = Eight::from_f64(*u));
+                let (a, rate) = slopes.split_at_mut(*n_u);
+                let t = Eight::from_f64(from.t);
+                equations.quasi_accelerations_in_lanes(&nodes.fixed, &t, &nodes.q, &values[..*n_u], a, rate);
+            }
+        }
+        Some(equations)
+    }
+
+    /// Sweeps until slopes at the nodes belong to the values there, and writes the states at the nodes; `None` where the step cannot be
+    /// solved for so, and no convergence where sweeps do not converge.
+    pub(super) fn sweep<P: SceneRef>(
+        &mut self,
+        system: &mut System<P>,
+        nodes: &mut EightStates,
+        from: &State,
+        h: f64,
+        weights: &[f64],
+    ) -> Option<Option<Convergence>> {
+        let equations = self.begin(system, nodes, from, h, weights)?;
+        let mut sweeps = Sweeps::default();
+        let mut n_evaluated = 0;
+        let converged = loop {
+            self.integrate(h, nodes);
+            std::mem::swap(&mut self.before, &mut self.slopes);
+            let (a, rate) = self.slopes.split_at_mut(self.n_u);
+            equations.quasi_accelerations_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, &self.values[..self.n_u], a, rate);
+            n_evaluated += N as u64;
+            let change = lanes::change(&self.slopes, &self.before, &self.weights);
+            let size = || lanes::size(&self.slopes, &self.weights);
+            if let Some(ended) = sweeps.see(change, size) {
+                break ended;
+            }
+        };
+        self.integrate(h, nodes);
+        equations.velocities_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, &self.values[..self.n_u], &mut nodes.v);
+        lanes::coefficients(&self.slopes, &mut self.coefficients);
+        self.is_tried = true;
+        system.counters().evaluations += n_evaluated;
+        Some(converged)
+    }
+
+    /// Values at the nodes, from the slopes there.
+    fn integrate(&mut self, h: f64, nodes: &mut EightStates) {
+        lanes::integrate(h, &self.start, &self.slopes, &mut self.values);
+        for (&i, value) in self.info.feedback.iter().zip(&self.values[self.n_u..]) {
+            nodes.q[i] = *value;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::dynamics::{State, System};
+    use crate::integrate::gauss::{Collocated, Gauss};
+    use crate::integrate::{Node, Tolerance};
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// Two bodies on a skate each, hinged, with a torque between them: the roller racer.
+        pub model Racer {
+            param front: m = 0.1;
+            body seat { mass: 46, inertia: 10 }
+            body bar { mass: 1, inertia: 0.005 }
+            hinge B: seat(0.6, 0) ~ bar(-0.1, 0);
+            skate rear: at seat(-0.2, 0) along seat(1, 0);
+            skate ahead: at bar(front, 0) along bar(1, 0);
+            torque seat ~ bar: (2 N*m) * cos(pi * (t / (1 s)));
+            start folded { seat at (0, 0) angle 0; bar angle 2; seat velocity (1, _); }
+            scene rides { start folded; until 1 s; }
+        }
+    }
+
+    /// Length of the step, s, and its tolerance.
+    const H: f64 = 0.05;
+    const TOLERANCE: Tolerance = Tolerance::new(1e-13, 1e-13);
+
+    /// Velocities at the start are those that rows give, with this change of the first one. The end of a step in quasi-velocities, if they are
+    /// to be used, and the times that accelerations were eliminated.
+    fn end(front: f64, change: f64, in_quasi_velocities: bool) -> (State, u64) {
+        let scene = racer::Rides { front };
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let given = system.scene_start();
+        let mut from = system.consistent_start(&given).unwrap();
+        from.v[0] += change;
+        let mut gauss = Gauss::new(&scene, 0);
+        if !in_quasi_velocities {
+            gauss.quasi = None;
+        }
+        let [mut a, mut lambda] = [vec![0.0; from.v.len()], vec![0.0; 4]];
+        system.accelerations(from.t, &from.q, &from.v, &mut a, &mut lambda).unwrap();
+        let before = system.counters().factorizations;
+        let (node, mut to) = (Node { state: &from, q_rate: &from.v, a: &a, rate: &[], power: &[] }, from.clone());
+        let outcome = gauss.attempt(&mut system, node, H, TOLERANCE, &mut to).unwrap();
+        assert!(matches!(outcome, Collocated::Solved { .. }), "{outcome:?}");
+        (to, system.counters().factorizations - before)
+    }
+
+    /// Sweeps leave a tenth of the tolerance, and the order of the method the rest.
+    #[test]
+    fn cross_steps_in_quasi_velocities_are_those_of_rows() {
+        let [(of_rows, n_rows), (of_these, n_these)] = [false, true].map(|these| end(0.1, 0.0, these));
+        for (x, y) in of_rows.q.iter().chain(&of_rows.v).zip(of_these.q.iter().chain(&of_these.v)) {
+            assert!((x - y).abs() <= 10.0 * TOLERANCE.absolute, "{x} {y}");
+        }
+        // once, at the end of the sweeps
+        assert!(n_these == 1 && n_rows > 5, "{n_these} {n_rows}");
+    }
+
+    /// The front wheel at the hinge says nothing of how the bar turns.
+    #[test]
+    fn invariant_steps_with_a_vanishing_pivot_are_those_of_rows() {
+        assert_eq!(end(-0.1, 0.0, true), end(-0.1, 0.0, false));
+    }
+
+    /// Quasi-velocities cannot say that a wheel slips, however little.
+    #[test]
+    fn invariant_steps_from_velocities_off_the_rows_are_those_of_rows() {
+        for change in [1e-3, 5e-12] {
+            assert_eq!(end(0.1, change, true), end(0.1, change, false), "{change}");
+        }
+    }
+}

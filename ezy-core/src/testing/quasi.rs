@@ -1,0 +1,84 @@
+//! Equations in quasi-velocities against those of the rows.
+
+use super::derivatives::{REASON, TOLERANCE, along, slope};
+use super::probe::{Probe, RandomState, Worst};
+use super::solvers::{is_regular, solve_motion};
+use super::{Check, CheckError};
+use crate::dynamics::max_abs;
+use crate::linalg::Backend;
+use crate::model::{Eight, EquationsInQuasiVelocities, Scene};
+use crate::scalar::Scalar;
+
+/// States at which accelerations are compared: each is solved for twice and differentiated.
+const N_STATES: usize = 100;
+
+/// Rounding of the rows at velocities of order one over pivots of a tenth: 1e-16 times the square of lengths over pivots, with a margin of a hundred.
+const ROUNDING: f64 = 1e-12;
+
+/// Velocities that random quasi-velocities give, against the rows and against these quasi-velocities; differences of such velocities along the motion
+/// against the accelerations of the rows. Nothing for a scene without such equations.
+pub(super) fn against_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, CheckError> {
+    let Some((equations, info)) = probe.scene.in_quasi_velocities().zip(probe.info.quasi_velocities) else {
+        return Ok(Vec::new());
+    };
+    let (n_q, n_u) = (probe.info.n_coordinates(), info.formulas.len());
+    let in_lanes = InLanes { equations, fixed: eights(&probe.fixed) };
+    let mut system = probe.system(Backend::Auto)?;
+    let (mut of_rows, mut of_motion) = (Worst::default(), Worst::default());
+    let (mut residual, mut same, mut v) = (vec![0.0; probe.info.n_rows()], vec![0.0; n_u], vec![0.0; n_q]);
+    for RandomState { t, q, v: random } in probe.states.iter().take(N_STATES) {
+        let u = &random[..n_u];
+        in_lanes.velocities(*t, q, u, &mut v);
+        let size = max_abs(&v);
+        probe.scene.velocity_constraint(&probe.fixed, *t, q, &v, &mut residual);
+        residual.iter().for_each(|residual| of_rows.compare(*residual, 0.0, size));
+        equations.quasi_velocities_of(&probe.fixed, q, &v, &mut same);
+        same.iter().zip(u).for_each(|(same, u)| of_rows.compare(*same, *u, size));
+
+        let state = RandomState { t: *t, q: q.clone(), v: v.clone() };
+        if !is_regular(&mut system, &state) {
+            of_motion.n_left_out += 1;
+            continue;
+        }
+        let Some(oracle) = solve_motion(&mut system, &state) else { continue };
+        let (a, rates) = in_lanes.accelerations(*t, q, u, info.feedback.len());
+        rates.iter().zip(info.feedback).for_each(|(rate, &i)| of_rows.compare(*rate, v[i], size));
+        let difference = slope(n_q, |e, out| {
+            in_lanes.velocities(t + e, &probe.moved(q, e, &v), &along(u, e, &a), out);
+        });
+        // the rounding of the time counts with the rate of change
+        let size = (max_abs(&oracle[..n_q]) * t.max(1.0)).max(difference.size);
+        difference.compare(&oracle[..n_q], size, &mut of_motion);
+    }
+    Ok(vec![
+        of_rows.check_of_some("velocities by quasi-velocities against the rows", ROUNDING, "rounding over the pivots"),
+        of_motion.check_of_some("accelerations of the rows against those of quasi-velocities", TOLERANCE, REASON),
+    ])
+}
+
+/// Kernels in lanes, at one state.
+struct InLanes<'s> {
+    equations: &'s dyn EquationsInQuasiVelocities,
+    fixed: Vec<Eight>,
+}
+
+impl InLanes<'_> {
+    fn velocities(&self, t: f64, q: &[f64], u: &[f64], v: &mut [f64]) {
+        let mut out = vec![Eight::from_f64(0.0); v.len()];
+        self.equations.velocities_in_lanes(&self.fixed, &Eight::from_f64(t), &eights(q), &eights(u), &mut out);
+        v.iter_mut().zip(out).for_each(|(v, out)| *v = out.0[0]);
+    }
+
+    /// u̇, and the rates of coordinates.
+    fn accelerations(&self, t: f64, q: &[f64], u: &[f64], n_rates: usize) -> (Vec<f64>, Vec<f64>) {
+        let [mut a, mut rates] = [u.len(), n_rates].map(|n| vec![Eight::from_f64(0.0); n]);
+        let t = Eight::from_f64(t);
+        self.equations.quasi_accelerations_in_lanes(&self.fixed, &t, &eights(q), &eights(u), &mut a, &mut rates);
+        let first = |of: Vec<Eight>| of.into_iter().map(|of| of.0[0]).collect();
+        (first(a), first(rates))
+    }
+}
+
+fn eights(x: &[f64]) -> Vec<Eight> {
+    x.iter().map(|&x| Eight::from_f64(x)).collect()
+}

@@ -1,4 +1,4 @@
-//! Machine instructions of scenes: of a right side, of a step of RK4 and of steps of Taylor's method.
+//! Machine instructions of scenes: of a right side, of a step of RK4, of steps of Taylor's method and of a part of a motion by collocation.
 //!
 //! `cargo run --release --example instructions` counts with valgrind, when it is installed, and prints a table; with
 //! `-- --write` it goes into `docs/cost.md`, with `-- --check` it is compared with the table there, if that was counted with
@@ -26,11 +26,14 @@ const N: u64 = 2000;
 const STEP_S: f64 = 1e-3;
 /// Where a right side and a series are evaluated, s: nothing is zero by symmetry there.
 const AT_S: f64 = 0.5;
+/// Tolerance of collocation, whose steps differ in length: a part of the motion is counted, s.
+const RTOL: f64 = 1e-9;
+const PART_S: f64 = 0.01;
 /// Orders of Taylor's method at tolerances of about 1e-9 and 1e-16.
 const ORDERS: [usize; 2] = [12, 20];
 
 /// What is counted: the columns of the table.
-const COLUMNS: [&str; 4] = ["right side", "step of RK4", "Taylor, order 12", "Taylor, order 20"];
+const COLUMNS: [&str; 5] = ["right side", "step of RK4", "Taylor, order 12", "Taylor, order 20", "10 ms of gauss"];
 
 /// Does what column `i` counts `n` times; monomorphised for the scene, as a program of a user is. False when it cannot.
 fn repeat<S: Scene + Default>(column: usize, n: u64) -> Result<bool, Box<dyn Error>> {
@@ -38,6 +41,10 @@ fn repeat<S: Scene + Default>(column: usize, n: u64) -> Result<bool, Box<dyn Err
     let run = |until_s: f64| Simulation::new(&scene).method(Method::rk4(STEP_S)).until(until_s).run();
     if column == 1 {
         run(STEP_S * n as f64)?;
+        return Ok(true);
+    }
+    if column == 4 {
+        Simulation::new(&scene).method(Method::gauss(RTOL)).until(PART_S * n as f64).run()?;
         return Ok(true);
     }
     let at = run(AT_S)?;

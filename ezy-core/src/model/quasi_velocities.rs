@@ -18,8 +18,13 @@ pub trait QuasiVelocities<T: Scalar>: Send + Sync {
     /// v = R(q) u + v_t. Writes `n_q`.
     fn velocities(&self, c: &[T], t: T, q: &[T], u: &[T], v: &mut [T]);
 
+    /// What [`QuasiVelocities::quasi_accelerations`] reads that depends on time, inputs and parameters alone. Writes
+    /// [`QuasiVelocitiesInfo::n_of_time`] numbers.
+    fn values_of_time(&self, c: &[T], t: T, of_time: &mut [T]);
+
     /// u̇, and the rates of the coordinates of [`QuasiVelocitiesInfo::feedback`]. Writes `n_u` and as many as these. Of q it reads those.
-    fn quasi_accelerations(&self, c: &[T], t: T, q: &[T], u: &[T], a: &mut [T], rate: &mut [T]);
+    #[expect(clippy::too_many_arguments, reason = "a state, what is known of its time, and two results")]
+    fn quasi_accelerations(&self, c: &[T], t: T, q: &[T], u: &[T], of_time: &[T], a: &mut [T], rate: &mut [T]);
 }
 
 /// What is known of the equations in quasi-velocities when they are compiled.
@@ -29,6 +34,8 @@ pub struct QuasiVelocitiesInfo {
     pub formulas: &'static [Formula],
     /// The coordinates that u̇ and their own rates depend on, ascending.
     pub feedback: &'static [usize],
+    /// How many numbers depend on time, inputs and parameters alone.
+    pub n_of_time: usize,
     /// Operations of [`QuasiVelocities::quasi_accelerations`].
     pub operations: Operations,
 }
@@ -41,13 +48,18 @@ pub trait EquationsInQuasiVelocities: Send + Sync {
     /// [`QuasiVelocities::velocities`].
     fn velocities_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], u: &[Eight], v: &mut [Eight]);
 
+    /// [`QuasiVelocities::values_of_time`].
+    fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]);
+
     /// [`QuasiVelocities::quasi_accelerations`].
+    #[expect(clippy::too_many_arguments, reason = "as those")]
     fn quasi_accelerations_in_lanes(
         &self,
         c: &[Eight],
         t: &Eight,
         q: &[Eight],
         u: &[Eight],
+        of_time: &[Eight],
         a: &mut [Eight],
         rate: &mut [Eight],
     );
@@ -65,18 +77,26 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocitie
         );
     }
 
+    fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]) {
+        in_widest(
+            #[inline(always)]
+            || self.values_of_time(c, *t, of_time),
+        );
+    }
+
     fn quasi_accelerations_in_lanes(
         &self,
         c: &[Eight],
         t: &Eight,
         q: &[Eight],
         u: &[Eight],
+        of_time: &[Eight],
         a: &mut [Eight],
         rate: &mut [Eight],
     ) {
         in_widest(
             #[inline(always)]
-            || self.quasi_accelerations(c, *t, q, u, a, rate),
+            || self.quasi_accelerations(c, *t, q, u, of_time, a, rate),
         );
     }
 }

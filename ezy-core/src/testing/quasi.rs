@@ -6,7 +6,7 @@ use super::solvers::{is_regular, solve_motion};
 use super::{Check, CheckError};
 use crate::dynamics::max_abs;
 use crate::linalg::Backend;
-use crate::model::{Eight, EquationsInQuasiVelocities, Scene};
+use crate::model::{Eight, EquationsInQuasiVelocities, QuasiVelocitiesInfo, Scene};
 use crate::scalar::Scalar;
 
 /// States at which accelerations are compared: each is solved for twice and differentiated.
@@ -41,7 +41,7 @@ pub(super) fn against_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Ve
             continue;
         }
         let Some(oracle) = solve_motion(&mut system, &state) else { continue };
-        let (a, rates) = in_lanes.accelerations(*t, q, u, info.feedback.len());
+        let (a, rates) = in_lanes.accelerations(*t, q, u, &info);
         rates.iter().zip(info.feedback).for_each(|(rate, &i)| of_rows.compare(*rate, v[i], size));
         let difference = slope(n_q, |e, out| {
             in_lanes.velocities(t + e, &probe.moved(q, e, &v), &along(u, e, &a), out);
@@ -51,8 +51,8 @@ pub(super) fn against_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Ve
         difference.compare(&oracle[..n_q], size, &mut of_motion);
     }
     Ok(vec![
-        of_rows.check_of_some("velocities by quasi-velocities against the rows", ROUNDING, "rounding over the pivots"),
-        of_motion.check_of_some("accelerations of the rows against those of quasi-velocities", TOLERANCE, REASON),
+        of_rows.check_of_some("velocities, quasi-velocities against the rows", ROUNDING, "rounding over the pivots"),
+        of_motion.check_of_some("accelerations, quasi-velocities against the rows", TOLERANCE, REASON),
     ])
 }
 
@@ -70,10 +70,13 @@ impl InLanes<'_> {
     }
 
     /// u̇, and the rates of coordinates.
-    fn accelerations(&self, t: f64, q: &[f64], u: &[f64], n_rates: usize) -> (Vec<f64>, Vec<f64>) {
-        let [mut a, mut rates] = [u.len(), n_rates].map(|n| vec![Eight::from_f64(0.0); n]);
+    fn accelerations(&self, t: f64, q: &[f64], u: &[f64], info: &QuasiVelocitiesInfo) -> (Vec<f64>, Vec<f64>) {
+        let lengths = [u.len(), info.feedback.len(), info.n_of_time];
+        let [mut a, mut rates, mut of_time] = lengths.map(|n| vec![Eight::from_f64(0.0); n]);
         let t = Eight::from_f64(t);
-        self.equations.quasi_accelerations_in_lanes(&self.fixed, &t, &eights(q), &eights(u), &mut a, &mut rates);
+        let (q, u) = (eights(q), eights(u));
+        self.equations.values_of_time_in_lanes(&self.fixed, &t, &mut of_time);
+        self.equations.quasi_accelerations_in_lanes(&self.fixed, &t, &q, &u, &of_time, &mut a, &mut rates);
         let first = |of: Vec<Eight>| of.into_iter().map(|of| of.0[0]).collect();
         (first(a), first(rates))
     }

@@ -251,9 +251,9 @@ fn converted(number: TokenStream, times: f64, over: f64, pi: i32) -> TokenStream
 const LONGEST_NAME: usize = 28;
 
 /// Arguments of kernels and what a pattern cannot name, which temporaries must not shadow.
-pub const RESERVED: [&str; 20] = [
-    "t", "c", "k", "q", "v", "a", "m", "lambda", "residual", "delta", "quasi", "q_rate", "out", "passed", "MODEL",
-    "None", "Some", "Ok", "Err", "sines",
+pub const RESERVED: [&str; 21] = [
+    "t", "c", "k", "q", "v", "a", "m", "lambda", "residual", "delta", "quasi", "q_rate", "of_time", "out", "passed",
+    "MODEL", "None", "Some", "Ok", "Err", "sines",
 ];
 
 /// What is computed, and where it is.

@@ -60,9 +60,15 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let quasi_velocities = option(of.quasi.as_ref().map(|quasi| {
         let formulas = quasi.values.iter().map(|&value| formula_of(names, value));
         let feedback = &quasi.feedback;
+        let n_of_time = quasi.time_symbols.len();
         let operations = operations(count_of(Quantity::QuasiAccelerations));
         quote! {
-            ezy::QuasiVelocitiesInfo { formulas: &[#(#formulas),*], feedback: &[#(#feedback),*], operations: #operations }
+            ezy::QuasiVelocitiesInfo {
+                formulas: &[#(#formulas),*],
+                feedback: &[#(#feedback),*],
+                n_of_time: #n_of_time,
+                operations: #operations,
+            }
         }
     }));
     let (starts, columns) = pattern(equations);

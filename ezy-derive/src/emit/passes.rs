@@ -57,6 +57,7 @@ impl Method<'_> {
         let reads = self.signature.reads.iter().filter(|&&read| read != "t").map(|&read| match read {
             "lambda" | "residual" => (read, lengths.of(Entries::Rows)),
             "quasi" => (read, lengths.of(Entries::QuasiVelocities)),
+            "of_time" => (read, lengths.of(Entries::OfTime)),
             _ => (read, lengths.of(Entries::Coordinates)),
         });
         let reads = std::iter::once(("c", lengths.n_fixed)).chain(reads).map(|(name, n)| {
@@ -210,6 +211,7 @@ impl Writer<'_> {
                 quote!(residual[#row])
             }
             Some(Read::QuasiVelocity(k)) => quote!(quasi[#k]),
+            Some(Read::OfTime(k)) => quote!(of_time[#k]),
             Some(Read::Slot(slot)) => self.stored(slot),
             None => numbers.literal(f64::NAN),
         }

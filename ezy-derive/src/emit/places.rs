@@ -140,7 +140,7 @@ impl Array {
 pub struct Lengths {
     /// Inputs and constants.
     pub n_fixed: usize,
-    entries: [(Entries, usize); 6],
+    entries: [(Entries, usize); 7],
 }
 
 /// Products come in groups of so many; `ezy_core::__private::PRODUCT_GROUP`.
@@ -155,6 +155,7 @@ impl Lengths {
             (Entries::Coordinates, n_q),
             (Entries::Rows, n_c),
             (Entries::QuasiVelocities, of.quasi.as_ref().map_or(0, |quasi| quasi.symbols.len())),
+            (Entries::OfTime, of.quasi.as_ref().map_or(0, |quasi| quasi.time_symbols.len())),
             (Entries::Products, n_products.next_multiple_of(PRODUCT_GROUP)),
             (Entries::Base, n_base),
             (Entries::Kept, n_kept),
@@ -176,6 +177,7 @@ pub fn size(of: Entries) -> &'static str {
         Entries::Coordinates => "n_q",
         Entries::Rows => "n_c",
         Entries::QuasiVelocities => "n_u",
+        Entries::OfTime => "n_of_time",
         Entries::Products => "n_products",
         Entries::Base => "n_base",
         Entries::Kept => "n_kept",
@@ -188,6 +190,7 @@ pub fn counter(of: Entries) -> Ident {
         Entries::Coordinates => "place",
         Entries::Rows => "row_place",
         Entries::QuasiVelocities => "quasi_place",
+        Entries::OfTime => "time_place",
         Entries::Products => "product_place",
         Entries::Base => "base_place",
         Entries::Kept => "kept_place",

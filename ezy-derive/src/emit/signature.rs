@@ -78,7 +78,7 @@ impl Order {
 const OUT: Writes = Writes::Vectors(&["out"]);
 
 /// Every method, in the order in which they are emitted.
-pub const ALL: [Signature; 29] = [
+pub const ALL: [Signature; 30] = [
     any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
     any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
     any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
@@ -103,7 +103,13 @@ pub const ALL: [Signature; 29] = [
     derived(Quantity::ElementPowers, "element_powers", &["t", "q", "v"], OUT),
     quasi(Quantity::QuasiVelocities, "quasi_velocities", &["q", "v"], Writes::Vectors(&["quasi"])),
     quasi(Quantity::Velocities, "velocities", &["t", "q", "quasi"], Writes::Vectors(&["v"])),
-    quasi(Quantity::QuasiAccelerations, "quasi_accelerations", &["t", "q", "quasi"], Writes::Vectors(&["a", "q_rate"])),
+    quasi(Quantity::OfTime, "values_of_time", &["t"], Writes::Vectors(&["of_time"])),
+    quasi(
+        Quantity::QuasiAccelerations,
+        "quasi_accelerations",
+        &["t", "q", "quasi", "of_time"],
+        Writes::Vectors(&["a", "q_rate"]),
+    ),
     series(Quantity::SeriesBegin, "begin", &["t"], Order::Start),
     series(Quantity::SeriesRightSide, "right_side", &["k"], Order::Present),
     series(Quantity::SeriesSolution, "solve", &["k"], Order::Present),

@@ -24,7 +24,9 @@ pub enum Quantity {
     QuasiVelocities,
     /// From coordinates and quasi-velocities.
     Velocities,
-    /// The same, then the rates of the coordinates that they depend on.
+    /// What the next one reads that depends on time and inputs alone.
+    OfTime,
+    /// From coordinates and quasi-velocities, then the rates of the coordinates that they depend on.
     QuasiAccelerations,
     Power,
     Points,
@@ -114,6 +116,7 @@ pub enum Entries {
     Coordinates,
     Rows,
     QuasiVelocities,
+    OfTime,
     /// Products of series.
     Products,
     /// Numbers of a whole step.
@@ -149,6 +152,7 @@ pub enum Read {
     /// Of a row.
     Residual(usize),
     QuasiVelocity(usize),
+    OfTime(usize),
     /// Of the storage of a series.
     Slot(Slot),
 }

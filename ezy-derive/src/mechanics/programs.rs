@@ -120,12 +120,13 @@ pub fn solutions<'m>(solutions: Solutions) -> impl Iterator<Item = (Quantity, Ke
 }
 
 /// The kernels in quasi-velocities.
-pub fn quasi<'m>(algebra: &Algebra, of: &QuasiVelocities, constants: &mut ConstantPool) -> [(Quantity, Kernel<'m>); 3] {
+pub fn quasi<'m>(algebra: &Algebra, of: &QuasiVelocities, constants: &mut ConstantPool) -> [(Quantity, Kernel<'m>); 4] {
     let values = Lower { algebra, constants }.vector(&of.values);
-    let mut reads: Vec<(Symbol, Read)> =
-        of.symbols.iter().enumerate().map(|(k, &symbol)| (symbol, Read::QuasiVelocity(k))).collect();
+    let quasi = of.symbols.iter().enumerate().map(|(k, &symbol)| (symbol, Read::QuasiVelocity(k)));
+    let of_time = of.time_symbols.iter().enumerate().map(|(k, &symbol)| (symbol, Read::OfTime(k)));
+    let mut reads: Vec<(Symbol, Read)> = quasi.chain(of_time).collect();
     reads.sort_by_key(|&(symbol, _)| symbol);
-    // the second of them fills two vectors
+    // outputs from `n_first` on fill a second vector
     let kernel = |program: &Program, n_first: usize| {
         let puts = (0..program.outputs().len()).map(|i| Put::Next(usize::from(i >= n_first))).collect();
         Kernel::of(vec![Pass::once(program.clone(), puts, reads.clone())])
@@ -133,6 +134,7 @@ pub fn quasi<'m>(algebra: &Algebra, of: &QuasiVelocities, constants: &mut Consta
     [
         (Quantity::QuasiVelocities, values),
         (Quantity::Velocities, kernel(&of.velocities, usize::MAX)),
+        (Quantity::OfTime, kernel(&of.of_time, usize::MAX)),
         (Quantity::QuasiAccelerations, kernel(&of.accelerations, of.symbols.len())),
     ]
 }

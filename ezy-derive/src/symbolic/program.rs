@@ -277,6 +277,52 @@ impl Program {
         count
     }
 
+    /// The program in two: values that depend on nothing but what is `held`, and what reads them by new symbols. The first one has a value for
+    /// each of these.
+    pub fn split(&self, held: &dyn Fn(Symbol) -> bool, new_symbol: &mut dyn FnMut() -> Symbol) -> Split {
+        let live = self.live();
+        let is_leaf = |id: NodeId| matches!(self.node(id), Node::Input(_) | Node::Constant(_) | Node::Literal(_));
+        let mut is_held = vec![false; self.nodes.len()];
+        for &id in &live {
+            is_held[id.0] = match self.node(id) {
+                Node::Input(symbol) => held(*symbol),
+                node => node.operands().iter().all(|operand| is_held[operand.0]),
+            };
+        }
+        let mut is_handed_on = vec![false; self.nodes.len()];
+        let read = live.iter().filter(|id| !is_held[id.0]).flat_map(|&id| self.node(id).operands());
+        for id in read.chain(self.outputs.iter().map(|output| output.node)) {
+            is_handed_on[id.0] = is_held[id.0] && !is_leaf(id);
+        }
+        let mut split = Split { first: Self::default(), symbols: Vec::new(), rest: Self::default() };
+        let mut places: FxHashMap<NodeId, [NodeId; 2]> = FxHashMap::default();
+        for id in live {
+            let moved = |program: &mut Self, of: usize| {
+                let node = self.node(id).clone().map(|operand| places[&operand][of]);
+                let new = program.intern(node);
+                self.names.get(&id).into_iter().for_each(|name| drop(program.names.insert(new, name.clone())));
+                self.hints.get(&id).into_iter().for_each(|hint| drop(program.hints.insert(new, hint.clone())));
+                new
+            };
+            let in_first = if is_held[id.0] { moved(&mut split.first, 0) } else { id };
+            let in_rest = if is_handed_on[id.0] {
+                let symbol = new_symbol();
+                split.first.push_output(Value { node: in_first, negative: false });
+                split.symbols.push(symbol);
+                split.rest.leaf(Node::Input(symbol)).node
+            } else if is_held[id.0] && !is_leaf(id) {
+                id
+            } else {
+                moved(&mut split.rest, 1)
+            };
+            places.insert(id, [in_first, in_rest]);
+        }
+        for output in &self.outputs {
+            split.rest.push_output(Value { node: places[&output.node][1], negative: output.negative });
+        }
+        split
+    }
+
     /// Changes the sign of a node in place where that costs nothing and nothing else sees it.
     fn flip(&mut self, id: NodeId, uses: &[usize]) -> bool {
         if uses[id.0] != 1 {
@@ -316,7 +362,30 @@ impl Program {
     }
 }
 
+/// A program in two.
+pub struct Split {
+    pub first: Program,
+    /// What stands in the rest for the outputs of the first one.
+    pub symbols: Vec<Symbol>,
+    pub rest: Program,
+}
+
 impl Node {
+    /// The same operation on other nodes.
+    fn map(self, other: impl Fn(NodeId) -> NodeId) -> Self {
+        match self {
+            Self::Input(_) | Self::Constant(_) | Self::Literal(_) => self,
+            Self::Add(a, b) => Self::Add(other(a), other(b)),
+            Self::Sub(a, b) => Self::Sub(other(a), other(b)),
+            Self::Mul(a, b) => Self::Mul(other(a), other(b)),
+            Self::Div(a, b) => Self::Div(other(a), other(b)),
+            Self::Neg(a) => Self::Neg(other(a)),
+            Self::Sin(a) => Self::Sin(other(a)),
+            Self::Cos(a) => Self::Cos(other(a)),
+            Self::Call(function, arguments) => Self::Call(function, arguments.into_iter().map(other).collect()),
+        }
+    }
+
     /// The nodes that this one reads.
     pub fn operands(&self) -> Vec<NodeId> {
         match self {

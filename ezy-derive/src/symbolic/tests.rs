@@ -171,12 +171,16 @@ fn invariant_squares_of_lengths_are_not_multiplied_out() {
 
 /// Runs a program by the book.
 fn run(program: &Program, constants: &[f64]) -> Vec<f64> {
+    run_with(program, constants, &|symbol| Sample(0.0).symbol(symbol))
+}
+
+fn run_with(program: &Program, constants: &[f64], input: &dyn Fn(Symbol) -> f64) -> Vec<f64> {
     let mut values: Vec<f64> = Vec::new();
     let count = program.outputs().iter().map(|output| output.node.0 + 1).max().unwrap_or(0);
     for i in 0..count {
         let at = |id: program::NodeId| values[id.0];
         let value = match program.node(program::NodeId(i)) {
-            Node::Input(symbol) => Sample(0.0).symbol(*symbol),
+            Node::Input(symbol) => input(*symbol),
             Node::Constant(i) => constants[*i],
             Node::Literal(bits) => f64::from_bits(*bits),
             Node::Add(a, b) => at(*a) + at(*b),

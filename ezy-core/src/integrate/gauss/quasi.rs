@@ -21,6 +21,8 @@ pub(super) struct QuasiSweeps {
     values: Vec<Eight>,
     slopes: Vec<Eight>,
     before: Vec<Eight>,
+    /// What depends on the times of the nodes alone.
+    of_time: Vec<Eight>,
     /// Change of a slope to change of the state over the tolerance.
     weights: Vec<f64>,
     /// Legendre coefficients of the slopes of the step that was tried last, and of the step before it.
@@ -46,6 +48,7 @@ impl QuasiSweeps {
             values: zeros(),
             slopes: zeros(),
             before: zeros(),
+            of_time: vec![Eight::from_f64(0.0); info.n_of_time],
             weights: vec![0.0; n],
             coefficients: zeros(),
             last: zeros(),
@@ -84,7 +87,7 @@ impl QuasiSweeps {
     ) -> Option<&'s dyn EquationsInQuasiVelocities> {
         self.is_tried = false;
         let equations = system.scene().in_quasi_velocities().filter(|_| nodes.eliminates(system))?;
-        let Self { info, n_u, start, values, slopes, .. } = self;
+        let Self { info, n_u, start, values, slopes, of_time, .. } = self;
         let (u, q) = start.split_at_mut(*n_u);
         equations.quasi_velocities_of(system.fixed(), &from.q, &from.v, u);
         q.iter_mut().zip(info.feedback).for_each(|(q, &i)| *q = from.q[i]);
@@ -120,9 +123,11 @@ impl QuasiSweeps {
                 values.iter_mut().zip(&*u).for_each(|(values, u)| *values = Eight::from_f64(*u));
                 let (a, rate) = slopes.split_at_mut(*n_u);
                 let t = Eight::from_f64(from.t);
-                equations.quasi_accelerations_in_lanes(&nodes.fixed, &t, &nodes.q, &values[..*n_u], a, rate);
+                equations.values_of_time_in_lanes(&nodes.fixed, &t, of_time);
+                equations.quasi_accelerations_in_lanes(&nodes.fixed, &t, &nodes.q, &values[..*n_u], of_time, a, rate);
             }
         }
+        equations.values_of_time_in_lanes(&nodes.fixed, &nodes.t, of_time);
         Some(equations)
     }
 
@@ -143,7 +148,8 @@ impl QuasiSweeps {
             self.integrate(h, nodes);
             std::mem::swap(&mut self.before, &mut self.slopes);
             let (a, rate) = self.slopes.split_at_mut(self.n_u);
-            equations.quasi_accelerations_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, &self.values[..self.n_u], a, rate);
+            let (u, of_time) = (&self.values[..self.n_u], &self.of_time);
+            equations.quasi_accelerations_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, u, of_time, a, rate);
             n_evaluated += N as u64;
             let change = lanes::change(&self.slopes, &self.before, &self.weights);
             let size = || lanes::size(&self.slopes, &self.weights);

@@ -14,9 +14,10 @@ use std::collections::BTreeSet;
 use super::block::System;
 use super::scene::Equations;
 use super::solve::Solutions;
+use super::symbols::Meaning;
 use crate::model::Coordinate;
 use crate::symbolic::lower::{ConstantPool, Lowering};
-use crate::symbolic::program::{Node, Program, Value};
+use crate::symbolic::program::{Count, Node, Program, Split, Value};
 use crate::symbolic::sum::{Atom, SumId};
 use crate::symbolic::{Algebra, Symbol};
 use relations::{N_OF_BODY, Relations, angle, sines, turned};
@@ -37,7 +38,10 @@ pub struct QuasiVelocities {
     pub values: Vec<SumId>,
     /// v from t, q and u.
     pub velocities: Program,
-    /// u̇ from t, q and u, then the rates of the coordinates that it depends on.
+    /// What accelerations read that depends on time and inputs alone, and symbols for it.
+    pub of_time: Program,
+    pub time_symbols: Vec<Symbol>,
+    /// u̇ from t, q, u and that, then the rates of the coordinates that it depends on.
     pub accelerations: Program,
     /// Those coordinates, ascending.
     pub feedback: Vec<usize>,
@@ -49,7 +53,8 @@ impl QuasiVelocities {
         // what only a form reads that is not taken becomes no constant
         let mut more = constants.clone();
         let derived = Self::of_rows(equations, solutions, &mut more)?;
-        let [of_rows, of_these] = [&solutions.accelerations.program, &derived.accelerations].map(Program::count);
+        let of_rows = solutions.accelerations.program.count();
+        let of_these: Count = [&derived.of_time, &derived.accelerations].map(Program::count).into_iter().sum();
         let is_less = of_these.arithmetic() < of_rows.arithmetic()
             && of_these.trig <= of_rows.trig
             && of_these.calls <= of_rows.calls;
@@ -267,8 +272,19 @@ impl Form {
         }
         let mut accelerations = lowering.program;
         accelerations.settle_signs();
+        // nodes stay where they are in time: what depends on time alone is computed once for all sweeps
+        let does_not_move =
+            |symbol: &Symbol| matches!(equations.symbols.meaning(*symbol), Meaning::Time | Meaning::Input(_));
+        let held: BTreeSet<Symbol> = accelerations.inputs().into_iter().filter(does_not_move).collect();
+        let mut n = 0;
+        let Split { first: of_time, symbols: time_symbols, rest: accelerations } =
+            accelerations.split(&|symbol| held.contains(&symbol), &mut || {
+                n += 1;
+                equations.symbols.new_named(format!("of_time_{n}"))
+            });
         let symbols = self.free.iter().map(|&i| self.along[i]).collect();
-        QuasiVelocities { symbols, values, velocities, accelerations, feedback: feedback.into_iter().collect() }
+        let feedback = feedback.into_iter().collect();
+        QuasiVelocities { symbols, values, velocities, of_time, time_symbols, accelerations, feedback }
     }
 
     /// The coordinates that forces and relations read.

@@ -45,6 +45,11 @@ fn cross_quasi_velocities_of_random_mechanisms_give_the_motion_of_the_rows() {
             let (k, solved) = dense_solution(trial, &state);
             let tolerance = PER_CONDITION * k.condition();
             trial.compare("velocities", &outputs(trial, &of.velocities, &state, &other), &state.v, tolerance);
+            let of_time = outputs(trial, &of.of_time, &state, &|_| f64::NAN);
+            let other = |symbol: Symbol| {
+                let place = of.time_symbols.iter().position(|&own| own == symbol);
+                place.map_or_else(|| other(symbol), |k| of_time[k])
+            };
             let found = outputs(trial, &of.accelerations, &state, &other);
             let (u_rates, q_rates) = found.split_at(u.len());
             let expected: Vec<f64> = of.feedback.iter().map(|&i| state.v[i]).collect();

@@ -1,8 +1,8 @@
 //! Programs: operations on values with signs, what is live, and what is counted.
 
 use super::super::Symbol;
-use super::super::program::{Count, Node, NodeId, Program, Value};
-use super::{Sample, run};
+use super::super::program::{Count, Node, NodeId, Program, Split, Value};
+use super::{Sample, run, run_with};
 use crate::function::Function;
 use crate::random::Random;
 use crate::symbolic::evaluate::Point;
@@ -101,6 +101,38 @@ fn cross_random_programs_have_the_values_of_their_operations() {
             assert_eq!(uses[id.0], by_nodes + by_outputs, "{seed}: {id:?}");
         }
     }
+}
+
+/// Both parts together compute what the whole does, with the same operations, each in one of them.
+#[test]
+fn cross_random_programs_in_two_have_the_values_of_the_whole() {
+    /// Symbols of their own for what is handed on.
+    const FIRST: u32 = 100;
+    let mut n_handed_on = 0;
+    for seed in 0..300 {
+        let (program, expected) = random_program(seed);
+        let is_held = |symbol: Symbol| symbol.0 <= 2;
+        let mut next = FIRST;
+        let Split { first, symbols, rest } = program.split(&is_held, &mut || {
+            next += 1;
+            Symbol(next - 1)
+        });
+        let handed_on = run(&first, &[]);
+        n_handed_on += handed_on.len();
+        assert_eq!(symbols, (FIRST..next).map(Symbol).collect::<Vec<_>>(), "{seed}");
+        let input = |symbol: Symbol| match symbol.0.checked_sub(FIRST) {
+            Some(place) => handed_on[place as usize],
+            None => Sample(0.0).symbol(symbol),
+        };
+        let found = run_with(&rest, &[], &input);
+        let close = found.iter().zip(&expected).all(|(x, y)| (x - y).abs() <= EXACT);
+        assert!(close && found.len() == expected.len(), "{seed}: {found:?} {expected:?}");
+        assert!(first.inputs().into_iter().all(is_held), "{seed}");
+        let read = rest.inputs();
+        assert!(symbols.iter().all(|symbol| read.contains(symbol)), "{seed}");
+        assert_eq!([first.count(), rest.count()].into_iter().sum::<Count>(), program.count(), "{seed}");
+    }
+    assert!(n_handed_on > 300, "{n_handed_on}");
 }
 
 /// Three inputs.

@@ -661,6 +661,7 @@ impl Coast {
                 },
             ],
             feedback: &[2usize, 5usize],
+            n_of_time: 0usize,
             operations: ezy::Operations {
                 add: 25usize,
                 mul: 50usize,

@@ -55,18 +55,25 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
         v[5usize] = -minus_bar_omega;
     }
     #[inline(always)]
+    fn values_of_time(&self, c: &[T], t: T, of_time: &mut [T]) {
+        let c = ezy::array::<46usize, T>(c);
+        let of_time = ezy::array_mut::<0usize, T>(of_time);
+    }
+    #[inline(always)]
     fn quasi_accelerations(
         &self,
         c: &[T],
         t: T,
         q: &[T],
         quasi: &[T],
+        of_time: &[T],
         a: &mut [T],
         q_rate: &mut [T],
     ) {
         let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
         let quasi = ezy::array::<2usize, T>(quasi);
+        let of_time = ezy::array::<0usize, T>(of_time);
         let a = ezy::array_mut::<2usize, T>(a);
         let q_rate = ezy::array_mut::<2usize, T>(q_rate);
         let seat_phi = q[2usize];
@@ -76,20 +83,20 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
         let seat_omega = quasi[1usize];
         let seat_across = parameter_a * seat_omega;
         let b = c[4usize];
-        let sum_10 = T::fused(seat_omega, b, seat_across);
+        let sum_9 = T::fused(seat_omega, b, seat_across);
         let (sin_relative_bar_phi, cos_relative_bar_phi) = T::sin_cos(relative_bar_phi);
         let seat_along = quasi[0usize];
-        let product_15 = seat_along * cos_relative_bar_phi;
-        let bar_along = T::fused(sum_10, sin_relative_bar_phi, product_15);
-        let product_17 = sin_relative_bar_phi * seat_along;
-        let difference_19 = T::fused(seat_across, cos_relative_bar_phi, -product_17);
+        let product_14 = seat_along * cos_relative_bar_phi;
+        let bar_along = T::fused(sum_9, sin_relative_bar_phi, product_14);
+        let product_16 = sin_relative_bar_phi * seat_along;
+        let difference_18 = T::fused(seat_across, cos_relative_bar_phi, -product_16);
         let k64 = c[32usize];
         let k66 = c[33usize];
         let seat_omega_k66 = seat_omega * k66;
         let bar_across = T::fused(
             -cos_relative_bar_phi,
             seat_omega_k66,
-            difference_19 * k64,
+            difference_18 * k64,
         );
         let k61 = c[34usize];
         let k62 = c[35usize];
@@ -97,16 +104,16 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
         let minus_bar_omega = T::fused(
             cos_relative_bar_phi,
             seat_omega_k62,
-            difference_19 * k61,
+            difference_18 * k61,
         );
         let minus_rate_of_relative_bar_phi = seat_omega + minus_bar_omega;
         let minus_drift_bar_along = minus_rate_of_relative_bar_phi
-            * T::fused(sum_10, cos_relative_bar_phi, -product_17);
-        let sum_37 = T::fused(seat_across, sin_relative_bar_phi, product_15);
+            * T::fused(sum_9, cos_relative_bar_phi, -product_16);
+        let sum_36 = T::fused(seat_across, sin_relative_bar_phi, product_14);
         let minus_drift_bar_across = minus_rate_of_relative_bar_phi
-            * T::fused(-k64, sum_37, sin_relative_bar_phi * seat_omega_k66);
+            * T::fused(-k64, sum_36, sin_relative_bar_phi * seat_omega_k66);
         let minus_drift_bar_omega = minus_rate_of_relative_bar_phi
-            * T::fused(sin_relative_bar_phi, seat_omega_k62, k61 * sum_37);
+            * T::fused(sin_relative_bar_phi, seat_omega_k62, k61 * sum_36);
         let m2 = c[27usize];
         let force_bar_along = T::fused(
             -bar_across,
@@ -118,41 +125,41 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
         let k79 = c[36usize];
         let k77 = c[37usize];
         let k87 = c[38usize];
-        let product_60 = cos_relative_bar_phi * (sin_relative_bar_phi * k87);
+        let product_59 = cos_relative_bar_phi * (sin_relative_bar_phi * k87);
         let k98 = c[39usize];
         let k96 = c[40usize];
         let k80 = c[41usize];
-        let product_70 = sin_relative_bar_phi
+        let product_69 = sin_relative_bar_phi
             * T::fused(-k64, force_bar_across, minus_drift_bar_omega * k80);
         let m1 = c[25usize];
-        let sum_76 = T::fused(
+        let sum_75 = T::fused(
             cos_relative_bar_phi,
             force_bar_along,
-            T::fused(seat_omega, seat_across * m1, product_70),
+            T::fused(seat_omega, seat_across * m1, product_69),
         );
         let k69 = c[42usize];
         let k100 = c[43usize];
-        let product_82 = cos_relative_bar_phi
+        let product_81 = cos_relative_bar_phi
             * T::fused(minus_drift_bar_omega, k100, force_bar_across * k69);
         let a_m1 = c[44usize];
         let a_plus_b = c[45usize];
-        let sum_90 = T::fused(
+        let sum_89 = T::fused(
             sin_relative_bar_phi,
             force_bar_along * a_plus_b,
-            T::fused(-seat_omega, seat_along * a_m1, product_82),
+            T::fused(-seat_omega, seat_along * a_m1, product_81),
         );
-        let quotient_91 = T::from_f64(1f64)
+        let quotient_90 = T::from_f64(1f64)
             / T::fused(cos_relative_bar_phi, cos_relative_bar_phi * k79, k77);
-        let product_93 = product_60 * quotient_91;
-        let difference_97 = T::fused(
-            -product_60,
-            product_93,
+        let product_92 = product_59 * quotient_90;
+        let difference_96 = T::fused(
+            -product_59,
+            product_92,
             T::fused(cos_relative_bar_phi, cos_relative_bar_phi * k98, k96),
         );
-        let product_99 = T::fused(-sum_76, product_93, sum_90)
-            * (T::from_f64(1f64) / difference_97);
-        a[0usize] = T::fused(-product_93, product_99, sum_76 * quotient_91);
-        a[1usize] = product_99;
+        let product_98 = T::fused(-sum_75, product_92, sum_89)
+            * (T::from_f64(1f64) / difference_96);
+        a[0usize] = T::fused(-product_92, product_98, sum_75 * quotient_90);
+        a[1usize] = product_98;
         q_rate[0usize] = seat_omega;
         q_rate[1usize] = -minus_bar_omega;
     }

@@ -75,7 +75,7 @@ impl EightStates {
     /// # Errors
     /// [`MotionError`] of any of them.
     pub(crate) fn accelerate<P: SceneRef>(&mut self, system: &mut System<P>) -> Result<(), MotionError> {
-        if self.eliminates(system) && self.eliminate(system) {
+        if system.uses_elimination() && Self::has_all_rows(system) && self.eliminate(system) {
             return Ok(());
         }
         self.smallest_pivot = f64::INFINITY;
@@ -89,9 +89,9 @@ impl EightStates {
         Ok(())
     }
 
-    /// Whether the elimination of the scene is to solve, with all rows.
-    pub(crate) fn eliminates<P: SceneRef>(&self, system: &System<P>) -> bool {
-        system.uses_elimination() && !system.active.leaves_out_redundant()
+    /// Whether all rows of the scene hold, none of them redundant.
+    pub(crate) fn has_all_rows<P: SceneRef>(system: &System<P>) -> bool {
+        !system.active.leaves_out_redundant()
     }
 
     /// Power of each effect, W, with the multipliers that were found; writes nothing into an empty `out`.

@@ -22,7 +22,8 @@ pub trait QuasiVelocities<T: Scalar>: Send + Sync {
     /// [`QuasiVelocitiesInfo::n_of_time`] numbers.
     fn values_of_time(&self, c: &[T], t: T, of_time: &mut [T]);
 
-    /// u̇, and the rates of the coordinates of [`QuasiVelocitiesInfo::feedback`]. Writes `n_u` and as many as these. Of q it reads those.
+    /// u̇, and the rates of the coordinates of [`QuasiVelocitiesInfo::feedback`]. Writes `n_u` and as many as these. Of q it reads those and
+    /// [`QuasiVelocitiesInfo::integrals`].
     #[expect(clippy::too_many_arguments, reason = "a state, what is known of its time, and two results")]
     fn quasi_accelerations(&self, c: &[T], t: T, q: &[T], u: &[T], of_time: &[T], a: &mut [T], rate: &mut [T]);
 }
@@ -32,8 +33,10 @@ pub trait QuasiVelocities<T: Scalar>: Send + Sync {
 pub struct QuasiVelocitiesInfo {
     /// Each quasi-velocity.
     pub formulas: &'static [Formula],
-    /// The coordinates that u̇ and their own rates depend on, ascending.
+    /// The coordinates that u̇, velocities or accelerations depend on and whose rates are no quasi-velocities, ascending.
     pub feedback: &'static [usize],
+    /// Those whose rates are, each with the number of its quasi-velocity.
+    pub integrals: &'static [(usize, usize)],
     /// How many numbers depend on time, inputs and parameters alone.
     pub n_of_time: usize,
     /// Operations of [`QuasiVelocities::quasi_accelerations`].

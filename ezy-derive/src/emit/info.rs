@@ -60,12 +60,14 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let quasi_velocities = option(of.quasi.as_ref().map(|quasi| {
         let formulas = quasi.values.iter().map(|&value| formula_of(names, value));
         let feedback = &quasi.feedback;
+        let integrals = quasi.integrals.iter().map(|(i, k)| quote!((#i, #k)));
         let n_of_time = quasi.time_symbols.len();
         let operations = operations(count_of(Quantity::QuasiAccelerations));
         quote! {
             ezy::QuasiVelocitiesInfo {
                 formulas: &[#(#formulas),*],
                 feedback: &[#(#feedback),*],
+                integrals: &[#(#integrals),*],
                 n_of_time: #n_of_time,
                 operations: #operations,
             }

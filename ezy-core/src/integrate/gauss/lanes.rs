@@ -28,13 +28,13 @@ pub(super) fn integrate(h: f64, start: &[f64], slopes: &[Eight], out: &mut [Eigh
     );
 }
 
-/// The same of some of the numbers; the others are left alone.
-pub(super) fn integrate_some(h: f64, start: &[f64], slopes: &[Eight], which: &[usize], out: &mut [Eight]) {
+/// The same of some numbers, each with the place of its slope; the others are left alone.
+pub(super) fn integrate_some(h: f64, start: &[f64], slopes: &[Eight], which: &[(usize, usize)], out: &mut [Eight]) {
     in_widest(
         #[inline(always)]
         || {
-            for &i in which {
-                out[i] = times(&TO_INTEGRALS, &slopes[i]).fused(Eight::from_f64(h), Eight::from_f64(start[i]));
+            for &(i, slope) in which {
+                out[i] = times(&TO_INTEGRALS, &slopes[slope]).fused(Eight::from_f64(h), Eight::from_f64(start[i]));
             }
         },
     );

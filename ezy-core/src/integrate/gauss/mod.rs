@@ -45,8 +45,8 @@ pub(crate) enum Collocated {
 #[derive(Debug)]
 pub(crate) struct Gauss {
     nodes: EightStates,
-    /// The coordinates that accelerations depend on.
-    feedback: Vec<usize>,
+    /// The coordinates that accelerations depend on, each with the place of its velocity.
+    feedback: Vec<(usize, usize)>,
     /// For a scene with equations in quasi-velocities.
     quasi: Option<QuasiSweeps>,
     /// Accelerations of the sweep before.
@@ -84,7 +84,12 @@ impl Gauss {
         let zeros = |n: usize| vec![Eight::from_f64(0.0); n];
         Self {
             nodes: EightStates::new(scene),
-            feedback: info.feedback.map_or_else(|| (0..n_q).collect(), <[usize]>::to_vec),
+            feedback: info
+                .feedback
+                .map_or_else(|| (0..n_q).collect(), <[usize]>::to_vec)
+                .into_iter()
+                .map(|i| (i, i))
+                .collect(),
             quasi: QuasiSweeps::new(scene),
             before: zeros(n_q),
             coefficients: zeros(n_q),
@@ -136,7 +141,7 @@ impl Gauss {
     ) -> Result<Collocated, MotionError> {
         self.begin(system, from, h, tolerance);
         let Self { nodes, quasi, weights, .. } = self;
-        let converged = quasi.as_mut().and_then(|quasi| quasi.sweep(system, nodes, from.state, h, weights));
+        let converged = quasi.as_mut().and_then(|quasi| quasi.sweep(system, nodes, from.state, h, tolerance, weights));
         let converged = match converged {
             Some(Some(converged)) => {
                 nodes.accelerate(system)?;

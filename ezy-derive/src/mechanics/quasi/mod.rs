@@ -22,8 +22,8 @@ use crate::symbolic::sum::{Atom, SumId};
 use crate::symbolic::{Algebra, Symbol};
 use relations::{N_OF_BODY, Relations, angle, sines, turned};
 
-/// Most quasi-velocities for which the equations are derived. Their matrix is full: with more of them the elimination of the rows, which are sparse, takes
-/// fewer operations (`analytic_elimination_of_rows_is_cheaper_for_long_chains`).
+/// Most quasi-velocities for which the equations are derived. Their matrix is full, while rows are sparse; and eight lanes hold a column of R each,
+/// v_t and v (`QuasiSweeps` of `ezy-core`).
 const MOST: usize = 6;
 
 /// A factor with more terms gets a symbol.
@@ -41,16 +41,18 @@ pub struct QuasiVelocities {
     /// What accelerations read that depends on time and inputs alone, and symbols for it.
     pub of_time: Program,
     pub time_symbols: Vec<Symbol>,
-    /// u̇ from t, q, u and that, then the rates of the coordinates that it depends on.
+    /// u̇ from t, q, u and that, then the rates of the coordinates of `feedback`.
     pub accelerations: Program,
-    /// Those coordinates, ascending.
+    /// The coordinates that anything here depends on whose rates are no quasi-velocities, ascending.
     pub feedback: Vec<usize>,
+    /// Those whose rates are, each with the number of its rate.
+    pub integrals: Vec<(usize, usize)>,
 }
 
 impl QuasiVelocities {
     /// `None` where rows do not give velocities so, or where these equations have more operations than the elimination of the rows.
     pub fn derive(equations: &mut Equations, solutions: &Solutions, constants: &mut ConstantPool) -> Option<Self> {
-        // what only a form reads that is not taken becomes no constant
+        // constants that only a rejected form reads are not kept
         let mut more = constants.clone();
         let derived = Self::of_rows(equations, solutions, &mut more)?;
         let of_rows = solutions.accelerations.program.count();
@@ -73,7 +75,7 @@ impl QuasiVelocities {
         let constraints = &equations.constraints;
         let n_free = equations.mass.len().checked_sub(constraints.rows.len())?;
         let is_switched = constraints.rows.iter().any(|row| row.holds.is_some());
-        if constraints.rows.is_empty() || n_free > MOST || is_switched {
+        if constraints.rows.is_empty() || n_free == 0 || n_free > MOST || is_switched {
             return None;
         }
         let relations = Relations::derive(equations)?;
@@ -265,10 +267,19 @@ impl Form {
         // what velocities and the equations of the rows read is known at the same nodes
         let coordinate = |symbol| equations.symbols.coordinate_of(symbol);
         let read = lowering.program.inputs().into_iter().chain(velocities.inputs()).chain(of_rows.inputs());
-        let feedback: BTreeSet<usize> = read.filter_map(coordinate).collect();
-        for &i in &feedback {
-            let rate = lowering.lower(world[i]);
-            lowering.program.push_output(rate);
+        let read: BTreeSet<usize> = read.filter_map(coordinate).collect();
+        let symbols: Vec<Symbol> = self.free.iter().map(|&i| self.along[i]).collect();
+        let (mut feedback, mut integrals) = (Vec::new(), Vec::new());
+        for i in read {
+            let rate = equations.algebra.as_symbol(world[i]);
+            match symbols.iter().position(|&symbol| Some(symbol) == rate) {
+                Some(k) => integrals.push((i, k)),
+                None => {
+                    let rate = lowering.lower(world[i]);
+                    lowering.program.push_output(rate);
+                    feedback.push(i);
+                }
+            }
         }
         let mut accelerations = lowering.program;
         accelerations.settle_signs();
@@ -282,9 +293,7 @@ impl Form {
                 n += 1;
                 equations.symbols.new_named(format!("of_time_{n}"))
             });
-        let symbols = self.free.iter().map(|&i| self.along[i]).collect();
-        let feedback = feedback.into_iter().collect();
-        QuasiVelocities { symbols, values, velocities, of_time, time_symbols, accelerations, feedback }
+        QuasiVelocities { symbols, values, velocities, of_time, time_symbols, accelerations, feedback, integrals }
     }
 
     /// The coordinates that forces and relations read.

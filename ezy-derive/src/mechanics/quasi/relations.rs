@@ -46,7 +46,7 @@ struct Row {
 }
 
 impl Relations {
-    /// `None` where a row has no pivot that depends on parameters alone, or where relations change with what is no angle.
+    /// `None` where a row has no pivot that depends on parameters alone, or where factors of velocities depend on places or on velocities.
     pub fn derive(equations: &mut Equations) -> Option<Self> {
         let n_bodies = equations.mass.len() / N_OF_BODY;
         let order = order(equations, n_bodies);

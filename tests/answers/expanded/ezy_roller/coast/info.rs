@@ -660,7 +660,8 @@ impl Coast {
                     mathml: "<mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
                 },
             ],
-            feedback: &[2usize, 5usize],
+            feedback: &[5usize],
+            integrals: &[(2usize, 1usize)],
             n_of_time: 0usize,
             operations: ezy::Operations {
                 add: 25usize,

@@ -75,7 +75,7 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
         let quasi = ezy::array::<2usize, T>(quasi);
         let of_time = ezy::array::<0usize, T>(of_time);
         let a = ezy::array_mut::<2usize, T>(a);
-        let q_rate = ezy::array_mut::<2usize, T>(q_rate);
+        let q_rate = ezy::array_mut::<1usize, T>(q_rate);
         let seat_phi = q[2usize];
         let bar_phi = q[5usize];
         let relative_bar_phi = bar_phi - seat_phi;
@@ -160,7 +160,6 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
             * (T::from_f64(1f64) / difference_96);
         a[0usize] = T::fused(-product_92, product_98, sum_75 * quotient_90);
         a[1usize] = product_98;
-        q_rate[0usize] = seat_omega;
-        q_rate[1usize] = -minus_bar_omega;
+        q_rate[0usize] = -minus_bar_omega;
     }
 }

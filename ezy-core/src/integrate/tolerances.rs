@@ -232,8 +232,8 @@ pub(crate) mod gauss {
     /// Test: `analytic_changes_that_are_rounding_end_sweeps`.
     pub(crate) const ROUNDING: f64 = 1e-12;
 
-    /// Quasi-velocities give back the velocities that they are taken from up to the rounding of some ten operations over the smallest pivot, which may be
-    /// a thousandth of a metre.
+    /// Quasi-velocities give back the velocities that they are taken from up to the rounding of some ten operations over the smallest pivot: a length, such
+    /// as that from a hinge to an axle, which may be a thousandth of the others.
     /// Unit: share of the fastest velocity.
     /// Test: `invariant_steps_from_velocities_off_the_rows_are_those_of_rows`.
     pub(crate) const SAME_VELOCITIES: f64 = 1e-12;

@@ -1,7 +1,7 @@
 //! The equations of a scene at eight states at once.
 
 use super::{Equations, Pivots, Powers};
-use crate::scalar::{Lanes, in_widest};
+use crate::scalar::{Lanes, Scalar, in_widest};
 
 /// States that kernels take at once.
 pub(crate) const N_LANES: usize = 8;
@@ -93,4 +93,29 @@ impl<S: Equations<Eight> + Powers<Eight>> EquationsInLanes for S {
             || self.correction(c, *t, q, residual, delta),
         )
     }
+}
+
+/// A matrix, by columns, times the eight values of a number.
+#[inline(always)]
+pub(crate) fn times(matrix: &[Eight; N_LANES], values: &Eight) -> Eight {
+    let product = |j: usize| matrix[j] * Eight::from_f64(values.0[j]);
+    let [mut even, mut odd] = [product(0), product(1)];
+    for j in [2, 4, 6] {
+        even = matrix[j].fused(Eight::from_f64(values.0[j]), even);
+        odd = matrix[j + 1].fused(Eight::from_f64(values.0[j + 1]), odd);
+    }
+    even + odd
+}
+
+/// The largest difference of a number, each with its weight; what is no number counts.
+#[inline(always)]
+pub(crate) fn largest_change(one: &[Eight], other: &[Eight], weights: &[f64]) -> f64 {
+    let mut largest = Lanes([0.0; N_LANES]);
+    for ((one, other), weight) in one.iter().zip(other).zip(weights) {
+        let change = (*one - *other).abs() * Eight::from_f64(*weight);
+        for i in 0..N_LANES {
+            largest.0[i] = if change.0[i] <= largest.0[i] { largest.0[i] } else { change.0[i] };
+        }
+    }
+    largest.magnitude()
 }

@@ -1,6 +1,7 @@
 //! Equations of motion in quasi-velocities.
 
-use super::{Eight, Formula, Operations};
+use super::in_lanes::{largest_change, times};
+use super::{Eight, Formula, N_LANES, Operations};
 use crate::scalar::{Scalar, in_widest};
 
 /// The equations of motion in quasi-velocities u, of which there are as many as degrees of freedom at velocity level: v = R(q) u + v_t obeys all rows, and
@@ -12,6 +13,13 @@ use crate::scalar::{Scalar, in_widest};
 /// # Source
 /// Kane, Levinson, Dynamics (1985), ch. 2 and 6.
 pub trait QuasiVelocities<T: Scalar>: Send + Sync {
+    /// n_u, how many quasi-velocities there are.
+    const N_QUASI: usize;
+    /// [`QuasiVelocitiesInfo::feedback`]
+    const FEEDBACK: &'static [usize];
+    /// [`QuasiVelocitiesInfo::integrals`]
+    const INTEGRALS: &'static [(usize, usize)];
+
     /// u at velocities that obey the rows. Writes `n_u`.
     fn quasi_velocities(&self, c: &[T], q: &[T], v: &[T], u: &mut [T]);
 
@@ -43,6 +51,40 @@ pub struct QuasiVelocitiesInfo {
     pub operations: Operations,
 }
 
+/// The times of a step at which a sweep looks.
+#[derive(Clone, Copy)]
+pub struct Times<'a> {
+    /// What kernels read of inputs and parameters, and [`QuasiVelocities::values_of_time`].
+    pub c: &'a [Eight],
+    pub of_time: &'a [Eight],
+    /// Times, s, and the length of the step.
+    pub t: &'a Eight,
+    pub h: f64,
+    /// From values at these times to their integrals up to each of them, over the length of the step, by columns.
+    pub integrals: &'a [Eight; N_LANES],
+}
+
+/// The start of a step.
+#[derive(Clone, Copy)]
+pub struct Start<'a> {
+    /// u, then the coordinates of [`QuasiVelocitiesInfo::feedback`].
+    pub values: &'a [f64],
+    /// All coordinates.
+    pub q: &'a [f64],
+}
+
+/// Numbers at the times of a step.
+pub struct Nodes<'a> {
+    /// u and the coordinates of [`QuasiVelocitiesInfo::feedback`], which are written.
+    pub values: &'a mut [Eight],
+    /// Their slopes of the sweep before.
+    pub before: &'a [Eight],
+    /// Their slopes, which are written.
+    pub slopes: &'a mut [Eight],
+    /// All coordinates; those that slopes depend on are written.
+    pub q: &'a mut [Eight],
+}
+
 /// [`QuasiVelocities`] as a run takes them: accelerations at eight states at once, in the widest vector registers of the machine.
 pub trait EquationsInQuasiVelocities: Send + Sync {
     /// [`QuasiVelocities::quasi_velocities`].
@@ -54,18 +96,11 @@ pub trait EquationsInQuasiVelocities: Send + Sync {
     /// [`QuasiVelocities::values_of_time`].
     fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]);
 
-    /// [`QuasiVelocities::quasi_accelerations`].
-    #[expect(clippy::too_many_arguments, reason = "as those")]
-    fn quasi_accelerations_in_lanes(
-        &self,
-        c: &[Eight],
-        t: &Eight,
-        q: &[Eight],
-        u: &[Eight],
-        of_time: &[Eight],
-        a: &mut [Eight],
-        rate: &mut [Eight],
-    );
+    /// One sweep of Picard's iteration at eight times.
+    ///
+    /// Quasi-velocities and coordinates there are what they are at the start and `h` times the integrals of their slopes, then slopes are computed at
+    /// these: [`QuasiVelocities::quasi_accelerations`]. Returns the largest change of a slope, each with its weight.
+    fn sweep_in_lanes(&self, of: Times<'_>, start: Start<'_>, weights: &[f64], at: Nodes<'_>) -> f64;
 }
 
 impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocities for S {
@@ -87,19 +122,30 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocitie
         );
     }
 
-    fn quasi_accelerations_in_lanes(
-        &self,
-        c: &[Eight],
-        t: &Eight,
-        q: &[Eight],
-        u: &[Eight],
-        of_time: &[Eight],
-        a: &mut [Eight],
-        rate: &mut [Eight],
-    ) {
+    fn sweep_in_lanes(&self, of: Times<'_>, start: Start<'_>, weights: &[f64], at: Nodes<'_>) -> f64 {
         in_widest(
             #[inline(always)]
-            || self.quasi_accelerations(c, *t, q, u, of_time, a, rate),
-        );
+            || {
+                let n = <S as QuasiVelocities<Eight>>::N_QUASI + <S as QuasiVelocities<Eight>>::FEEDBACK.len();
+                let (first, weights) = (&start.values[..n], &weights[..n]);
+                let (values, before, slopes) = (&mut at.values[..n], &at.before[..n], &mut at.slopes[..n]);
+                let integral = |slope: &Eight, start: f64| {
+                    times(of.integrals, slope).fused(Eight::from_f64(of.h), Eight::from_f64(start))
+                };
+                for i in 0..n {
+                    values[i] = integral(&before[i], first[i]);
+                }
+                let (u, of_feedback) = values.split_at(<S as QuasiVelocities<Eight>>::N_QUASI);
+                for (&i, value) in <S as QuasiVelocities<Eight>>::FEEDBACK.iter().zip(of_feedback) {
+                    at.q[i] = *value;
+                }
+                for &(i, k) in <S as QuasiVelocities<Eight>>::INTEGRALS {
+                    at.q[i] = integral(&u[k], start.q[i]);
+                }
+                let (a, rate) = slopes.split_at_mut(<S as QuasiVelocities<Eight>>::N_QUASI);
+                self.quasi_accelerations(of.c, *of.t, at.q, u, of.of_time, a, rate);
+                largest_change(slopes, before, weights)
+            },
+        )
     }
 }

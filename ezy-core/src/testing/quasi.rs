@@ -6,7 +6,8 @@ use super::solvers::{is_redundant_anywhere, is_regular, solve_motion};
 use super::{Check, CheckError};
 use crate::dynamics::max_abs;
 use crate::linalg::Backend;
-use crate::model::{Eight, EquationsInQuasiVelocities, QuasiVelocitiesInfo, Scene};
+use crate::model::quasi_velocities::{EquationsInQuasiVelocities, Nodes, Start, Times};
+use crate::model::{Eight, N_LANES, QuasiVelocitiesInfo, Scene};
 use crate::scalar::Scalar;
 
 /// States at which accelerations are compared: each is solved for twice and differentiated.
@@ -82,14 +83,19 @@ impl InLanes<'_> {
 
     /// u̇, and the rates of coordinates.
     fn accelerations(&self, t: f64, q: &[f64], u: &[f64], info: &QuasiVelocitiesInfo) -> (Vec<f64>, Vec<f64>) {
-        let lengths = [u.len(), info.feedback.len(), info.n_of_time];
-        let [mut a, mut rates, mut of_time] = lengths.map(|n| vec![Eight::from_f64(0.0); n]);
-        let t = Eight::from_f64(t);
-        let (q, u) = (eights(q), eights(u));
+        let n = u.len() + info.feedback.len();
+        let [mut values, mut slopes, mut of_time] = [n, n, info.n_of_time].map(|n| vec![Eight::from_f64(0.0); n]);
+        let (t, before, mut at) = (Eight::from_f64(t), slopes.clone(), eights(q));
         self.equations.values_of_time_in_lanes(&self.fixed, &t, &mut of_time);
-        self.equations.quasi_accelerations_in_lanes(&self.fixed, &t, &q, &u, &of_time, &mut a, &mut rates);
+        // a sweep of no length
+        let integrals = [Eight::from_f64(0.0); N_LANES];
+        let of = Times { c: &self.fixed, of_time: &of_time, t: &t, h: 0.0, integrals: &integrals };
+        let start: Vec<f64> = u.iter().copied().chain(info.feedback.iter().map(|&i| q[i])).collect();
+        let nodes = Nodes { values: &mut values, before: &before, slopes: &mut slopes, q: &mut at };
+        self.equations.sweep_in_lanes(of, Start { values: &start, q }, &vec![0.0; n], nodes);
+        let rates = slopes.split_off(u.len());
         let first = |of: Vec<Eight>| of.into_iter().map(|of| of.0[0]).collect();
-        (first(a), first(rates))
+        (first(slopes), first(rates))
     }
 }
 

@@ -14,6 +14,7 @@ use super::{elements, info, jacobians, page, repeated, series};
 use crate::mechanics::Derived;
 use crate::mechanics::derived::{Form, Straight};
 use crate::mechanics::kernels::{Kernel, Quantity};
+use crate::mechanics::quasi::QuasiVelocities;
 use crate::model::{Model, Parameter, Scene};
 
 /// The struct, its defaults and its equations.
@@ -39,10 +40,12 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
         }
     });
     let of_quasi = methods(vocabulary, Trait::QuasiVelocities);
-    let quasi = (!of_quasi.is_empty()).then(|| {
+    let quasi = derived.quasi().map(|of| {
+        let lengths = quasi_lengths(of);
         quote! {
             #[automatically_derived]
             impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for #type_name {
+                #lengths
                 #of_quasi
             }
         }
@@ -224,6 +227,17 @@ fn access_in_lanes() -> TokenStream {
         fn in_lanes(&self) -> ::core::option::Option<&dyn ezy::EquationsInLanes> {
             ::core::option::Option::Some(self)
         }
+    }
+}
+
+/// How many quasi-velocities there are, and the coordinates that they depend on.
+fn quasi_lengths(of: &QuasiVelocities) -> TokenStream {
+    let (n, feedback) = (of.symbols.len(), &of.feedback);
+    let integrals = of.integrals.iter().map(|(i, k)| quote!((#i, #k)));
+    quote! {
+        const N_QUASI: usize = #n;
+        const FEEDBACK: &'static [usize] = &[#(#feedback),*];
+        const INTEGRALS: &'static [(usize, usize)] = &[#(#integrals),*];
     }
 }
 

@@ -149,6 +149,14 @@ impl<'m> Derived<'m> {
         Some(coordinates)
     }
 
+    /// The equations in quasi-velocities, where they were derived.
+    pub fn quasi(&self) -> Option<&QuasiVelocities> {
+        match &self.form {
+            Form::Straight(of) => of.quasi.as_ref(),
+            Form::Counted(_) => None,
+        }
+    }
+
     pub fn algebra(&self) -> &Algebra {
         match &self.form {
             Form::Straight(of) => &of.equations.algebra,

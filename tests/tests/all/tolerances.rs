@@ -14,7 +14,9 @@ const WITH_NAMELESS: &str = "integrate";
 
 /// Numbers that are no thresholds: the modes of a scene, a place in a group of inputs, what mathematics gives, sizes of blocks, sizes and orders of methods, and
 /// public numbers; of `analysis` the parameters of the ITP method, nodes, shares of a period, and first states of generators.
-const NO_THRESHOLDS: [&str; 30] = [
+const NO_THRESHOLDS: [&str; 32] = [
+    "DRIFT",
+    "SAME",
     "BODIES",
     "FREE",
     "HOLDS",

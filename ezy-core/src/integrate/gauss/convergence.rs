@@ -36,6 +36,11 @@ impl Default for Sweeps {
 }
 
 impl Sweeps {
+    /// How many there were.
+    pub(super) fn n(&self) -> u32 {
+        self.n
+    }
+
     /// What one more sweep, which changed slopes by this over the tolerance, says: `None` where another one is to follow, and no convergence where
     /// they do not converge. `size` gives what the slopes themselves are over the tolerance.
     pub(super) fn see(&mut self, change: f64, size: impl FnOnce() -> f64) -> Option<Option<Convergence>> {

@@ -2,19 +2,8 @@
 
 use super::tableau::{N, NODES, TO_COEFFICIENTS, TO_INTEGRALS};
 use crate::model::Eight;
+use crate::model::in_lanes::{largest_change, times};
 use crate::scalar::{Lanes, Scalar, in_widest};
-
-/// A matrix times the values of one number at the nodes.
-#[inline(always)]
-fn times(matrix: &[Eight; N], values: &Eight) -> Eight {
-    let product = |j: usize| matrix[j] * Eight::from_f64(values.0[j]);
-    let [mut even, mut odd] = [product(0), product(1)];
-    for j in [2, 4, 6] {
-        even = matrix[j].fused(Eight::from_f64(values.0[j]), even);
-        odd = matrix[j + 1].fused(Eight::from_f64(values.0[j + 1]), odd);
-    }
-    even + odd
-}
 
 /// `out = start + h · integrals of the slopes`, at each node.
 pub(super) fn integrate(h: f64, start: &[f64], slopes: &[Eight], out: &mut [Eight]) {
@@ -78,17 +67,7 @@ pub(super) fn evaluate(coefficients: &[Eight], degree: usize, start: f64, length
 pub(super) fn change(one: &[Eight], other: &[Eight], weights: &[f64]) -> f64 {
     in_widest(
         #[inline(always)]
-        || {
-            let mut largest = Lanes([0.0; N]);
-            for ((one, other), weight) in one.iter().zip(other).zip(weights) {
-                let change = (*one - *other).abs() * Eight::from_f64(*weight);
-                for i in 0..N {
-                    // what is no number counts
-                    largest.0[i] = if change.0[i] <= largest.0[i] { largest.0[i] } else { change.0[i] };
-                }
-            }
-            largest.magnitude()
-        },
+        || largest_change(one, other, weights),
     )
 }
 

@@ -38,7 +38,8 @@ pub(crate) enum Collocated {
 ///
 /// The accelerations on a step are a polynomial of degree 7 that meets the equations at eight nodes. Sweeps find it: integrals of the
 /// accelerations at the nodes give velocities there, those of the velocities positions, and these new accelerations (Picard's iteration).
-/// The first sweep begins with the polynomial of the step before, continued.
+/// The first sweep begins with the polynomial of the step before, continued. Of scenes with equations in quasi-velocities these and the coordinates that
+/// they depend on are what sweeps find ([`QuasiSweeps`]); accelerations at the nodes follow.
 ///
 /// # Source
 /// Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1 and VIII.6.
@@ -130,7 +131,7 @@ impl Gauss {
     /// # Errors
     /// [`MotionError`] at a node; `to` is then unspecified.
     /// # Cost
-    /// Some ten sweeps, each of the accelerations at eight states; no allocation.
+    /// Some ten sweeps, each of the accelerations at eight states or of the rates of quasi-velocities there; no allocation.
     pub(crate) fn attempt<P: SceneRef>(
         &mut self,
         system: &mut System<P>,

@@ -2,15 +2,20 @@
 
 use super::convergence::{Convergence, Sweeps};
 use super::lanes;
-use super::tableau::N;
+use super::tableau::{N, TO_INTEGRALS};
 use super::useful_degree;
 use crate::archive::Archive;
 use crate::dynamics::{EightStates, State, System};
 use crate::integrate::Tolerance;
 use crate::integrate::tolerances::gauss::SAME_VELOCITIES;
 use crate::model::coordinate::N_OF_BODY;
-use crate::model::{Derived as _, Eight, EquationsInQuasiVelocities, N_LANES, QuasiVelocitiesInfo, Scene, SceneRef};
+use crate::model::quasi_velocities::{EquationsInQuasiVelocities, Nodes, Start, Times};
+use crate::model::{Derived as _, Eight, N_LANES, QuasiVelocitiesInfo, Scene, SceneRef};
 use crate::scalar::Scalar;
+
+/// Lanes at the start of a step: a column of R in each of the first, then v_t, then the velocities.
+const DRIFT: usize = N_LANES - 2;
+const SAME: usize = N_LANES - 1;
 
 /// Quasi-velocities at the nodes, and the coordinates that they depend on.
 #[derive(Debug)]
@@ -30,9 +35,9 @@ pub(super) struct QuasiSweeps {
     /// Legendre coefficients of the slopes of the step that was tried last, and of the step before it.
     coefficients: Vec<Eight>,
     last: Vec<Eight>,
-    /// Length of the step before, s; none where it was solved for otherwise.
+    /// Length of the step before, s; none where that was not made in quasi-velocities.
     last_s: Option<f64>,
-    /// Whether the step that was tried last was solved for so.
+    /// Whether the step that was tried last was made in quasi-velocities.
     is_tried: bool,
 }
 
@@ -41,7 +46,7 @@ impl QuasiSweeps {
     pub(super) fn new<S: Scene + ?Sized>(scene: &S) -> Option<Self> {
         let info = scene.info().quasi_velocities.filter(|_| scene.in_quasi_velocities().is_some())?;
         let n_u = info.formulas.len();
-        if n_u > N_LANES - 2 {
+        if n_u > DRIFT {
             return None;
         }
         let n = n_u + info.feedback.len();
@@ -78,39 +83,30 @@ impl QuasiSweeps {
         self.last_s = std::mem::take(&mut self.is_tried).then_some(h);
     }
 
-    /// The equations, where the step can be solved for so: the scene's own elimination is at work, and quasi-velocities of the start give back
-    /// its velocities. They do not where those do not obey the rows, nor where a pivot vanishes that depends on parameters.
+    /// Whether quasi-velocities of the start give back its velocities. They do not where those do not obey the rows, nor where a pivot vanishes that depends
+    /// on parameters.
     ///
-    /// `weights` are those of accelerations; the nodes are overwritten.
-    fn begin<'s, P: SceneRef>(
+    /// Takes them for the start of the step, and sets the weights of slopes from those of accelerations; overwrites `q` and `v` of the nodes.
+    fn start<P: SceneRef>(
         &mut self,
-        system: &'s System<P>,
+        equations: &dyn EquationsInQuasiVelocities,
+        system: &System<P>,
         nodes: &mut EightStates,
         from: &State,
-        h: f64,
-        tolerance: Tolerance,
         weights: &[f64],
-    ) -> Option<&'s dyn EquationsInQuasiVelocities> {
-        self.is_tried = false;
-        let equations = system.scene().in_quasi_velocities().filter(|_| EightStates::has_all_rows(system))?;
-        let Self { info, n_u, start, values, slopes, of_time, .. } = self;
+    ) -> bool {
+        let Self { info, n_u, start, values, .. } = self;
         let (u, q) = start.split_at_mut(*n_u);
         equations.quasi_velocities_of(system.fixed(), &from.q, &from.v, u);
         q.iter_mut().zip(info.feedback).for_each(|(q, &i)| *q = from.q[i]);
-
-        // a column of R in each lane, then v_t, then the velocities at the start
-        const DRIFT: usize = N_LANES - 2;
-        const SAME: usize = N_LANES - 1;
-        let (times, unit) = (std::mem::replace(&mut nodes.t, Eight::from_f64(from.t)), &mut values[..*n_u]);
-        for (k, (unit, u)) in unit.iter_mut().zip(&*u).enumerate() {
-            unit.0 = [0.0; N_LANES];
-            (unit.0[k], unit.0[SAME]) = (1.0, *u);
+        let values = &mut values[..*n_u];
+        for (k, (value, u)) in values.iter_mut().zip(&*u).enumerate() {
+            value.0 = [0.0; N_LANES];
+            (value.0[k], value.0[SAME]) = (1.0, *u);
         }
         nodes.q.iter_mut().zip(&from.q).for_each(|(nodes, q)| *nodes = Eight::from_f64(*q));
-        equations.velocities_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, unit, &mut nodes.v);
-        let fastest = from.v.iter().fold(0.0, |fastest: f64, v| fastest.max(v.abs()));
-        let gives_back = |(found, v): (&Eight, &f64)| (found.0[SAME] - v).abs() <= SAME_VELOCITIES * fastest;
-        let gives_back = nodes.v.iter().zip(&from.v).all(gives_back);
+        equations.velocities_in_lanes(&nodes.fixed, &Eight::from_f64(from.t), &nodes.q, values, &mut nodes.v);
+
         // a velocity along the axis of a body turns from x to y within the step: the stricter one counts
         for (k, of_u) in self.weights[..*n_u].iter_mut().enumerate() {
             let bodies = nodes.v.chunks_exact(N_OF_BODY).zip(weights.chunks_exact(N_OF_BODY));
@@ -121,33 +117,37 @@ impl QuasiSweeps {
             });
             *of_u = changes.fold(0.0, f64::max);
         }
-        let n_q = from.q.len();
-        for (of_q, (&i, q)) in self.weights[*n_u..].iter_mut().zip(info.feedback.iter().zip(q)) {
-            *of_q = h / tolerance.of(i, n_q, q.abs());
-        }
-        nodes.t = times;
-        if !gives_back {
-            return None;
-        }
-        match self.last_s {
-            Some(last_s) => {
-                let sizes = lanes::sizes(&self.last, &self.weights);
-                lanes::evaluate(&self.last, useful_degree(&sizes, h / last_s), 1.0, h / last_s, slopes);
-            }
-            None => {
-                values.iter_mut().zip(&*u).for_each(|(values, u)| *values = Eight::from_f64(*u));
-                let (a, rate) = slopes.split_at_mut(*n_u);
-                let t = Eight::from_f64(from.t);
-                equations.values_of_time_in_lanes(&nodes.fixed, &t, of_time);
-                equations.quasi_accelerations_in_lanes(&nodes.fixed, &t, &nodes.q, &values[..*n_u], of_time, a, rate);
-            }
-        }
-        equations.values_of_time_in_lanes(&nodes.fixed, &nodes.t, of_time);
-        Some(equations)
+        let fastest = from.v.iter().fold(0.0, |fastest: f64, v| fastest.max(v.abs()));
+        nodes.v.iter().zip(&from.v).all(|(found, v)| (found.0[SAME] - v).abs() <= SAME_VELOCITIES * fastest)
     }
 
-    /// Sweeps until slopes at the nodes belong to the values there, and writes the states at the nodes; `None` where the step cannot be
-    /// solved for so, and no convergence where sweeps do not converge.
+    /// Slopes for the first sweep of a step of length `h`: the polynomials of the step before, continued, or the slopes at the start.
+    fn first_guess(
+        &mut self,
+        equations: &dyn EquationsInQuasiVelocities,
+        nodes: &mut EightStates,
+        from: &State,
+        h: f64,
+    ) {
+        if let Some(last_s) = self.last_s {
+            let sizes = lanes::sizes(&self.last, &self.weights);
+            lanes::evaluate(&self.last, useful_degree(&sizes, h / last_s), 1.0, h / last_s, &mut self.slopes);
+            return;
+        }
+        let Self { start, values, slopes, before, of_time, weights, .. } = self;
+        let t = Eight::from_f64(from.t);
+        equations.values_of_time_in_lanes(&nodes.fixed, &t, of_time);
+        // a step of no length
+        let of = Times { c: &nodes.fixed, of_time, t: &t, h: 0.0, integrals: &TO_INTEGRALS };
+        before.fill(Eight::from_f64(0.0));
+        let at = Nodes { values, before, slopes, q: &mut nodes.q };
+        equations.sweep_in_lanes(of, Start { values: start, q: &from.q }, weights, at);
+    }
+
+    /// Sweeps in quasi-velocities until slopes at the nodes belong to the values there, and writes `q` and `v` of the nodes. `None` where the step cannot be
+    /// solved for in quasi-velocities; no convergence where sweeps do not converge.
+    ///
+    /// `weights` are those of accelerations.
     pub(super) fn sweep<P: SceneRef>(
         &mut self,
         system: &mut System<P>,
@@ -157,38 +157,35 @@ impl QuasiSweeps {
         tolerance: Tolerance,
         weights: &[f64],
     ) -> Option<Option<Convergence>> {
-        let equations = self.begin(system, nodes, from, h, tolerance, weights)?;
+        self.is_tried = false;
+        let equations = system.scene().in_quasi_velocities().filter(|_| EightStates::has_all_rows(system))?;
+        if !self.start(equations, system, nodes, from, weights) {
+            return None;
+        }
+        let n_q = from.q.len();
+        for (of_q, &i) in self.weights[self.n_u..].iter_mut().zip(self.info.feedback) {
+            *of_q = h / tolerance.of(i, n_q, from.q[i].abs());
+        }
+        self.first_guess(equations, nodes, from, h);
+        equations.values_of_time_in_lanes(&nodes.fixed, &nodes.t, &mut self.of_time);
+
+        let Self { start, values, slopes, before, of_time, weights, .. } = self;
+        let of = Times { c: &nodes.fixed, of_time, t: &nodes.t, h, integrals: &TO_INTEGRALS };
+        let start = Start { values: start, q: &from.q };
         let mut sweeps = Sweeps::default();
-        let mut n_evaluated = 0;
         let converged = loop {
-            self.integrate(h, from, nodes);
-            std::mem::swap(&mut self.before, &mut self.slopes);
-            let (a, rate) = self.slopes.split_at_mut(self.n_u);
-            let (u, of_time) = (&self.values[..self.n_u], &self.of_time);
-            equations.quasi_accelerations_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, u, of_time, a, rate);
-            n_evaluated += N as u64;
-            let change = lanes::change(&self.slopes, &self.before, &self.weights);
-            let size = || lanes::size(&self.slopes, &self.weights);
-            if let Some(ended) = sweeps.see(change, size) {
+            std::mem::swap(before, slopes);
+            let at = Nodes { values, before, slopes, q: &mut nodes.q };
+            let change = equations.sweep_in_lanes(of, start, weights, at);
+            if let Some(ended) = sweeps.see(change, || lanes::size(slopes, weights)) {
                 break ended;
             }
         };
-        self.integrate(h, from, nodes);
-        equations.velocities_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, &self.values[..self.n_u], &mut nodes.v);
-        lanes::coefficients(&self.slopes, &mut self.coefficients);
+        equations.velocities_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, &values[..self.n_u], &mut nodes.v);
+        lanes::coefficients(slopes, &mut self.coefficients);
         self.is_tried = true;
-        system.counters().evaluations += n_evaluated;
+        system.counters().evaluations += N as u64 * u64::from(sweeps.n());
         Some(converged)
-    }
-
-    /// Values at the nodes, from the slopes there.
-    fn integrate(&mut self, h: f64, from: &State, nodes: &mut EightStates) {
-        lanes::integrate(h, &self.start, &self.slopes, &mut self.values);
-        let (u, q) = self.values.split_at(self.n_u);
-        for (&i, q) in self.info.feedback.iter().zip(q) {
-            nodes.q[i] = *q;
-        }
-        lanes::integrate_some(h, &from.q, u, self.info.integrals, &mut nodes.q);
     }
 }
 

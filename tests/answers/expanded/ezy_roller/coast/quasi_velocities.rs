@@ -1,5 +1,8 @@
 #[automatically_derived]
 impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
+    const N_QUASI: usize = 2usize;
+    const FEEDBACK: &'static [usize] = &[5usize];
+    const INTEGRALS: &'static [(usize, usize)] = &[(2usize, 1usize)];
     #[inline(always)]
     fn quasi_velocities(&self, c: &[T], q: &[T], v: &[T], quasi: &mut [T]) {
         let c = ezy::array::<46usize, T>(c);

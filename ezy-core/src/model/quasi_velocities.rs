@@ -64,6 +64,14 @@ pub struct Times<'a> {
     pub integrals: &'a [Eight; N_LANES],
 }
 
+impl Times<'_> {
+    /// A number at these times, from its value at the start and its slopes there.
+    #[inline(always)]
+    fn integral(&self, slopes: &Eight, start: f64) -> Eight {
+        times(self.integrals, slopes).fused(Eight::from_f64(self.h), Eight::from_f64(start))
+    }
+}
+
 /// The start of a step.
 #[derive(Clone, Copy)]
 pub struct Start<'a> {
@@ -129,18 +137,15 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocitie
                 let n = <S as QuasiVelocities<Eight>>::N_QUASI + <S as QuasiVelocities<Eight>>::FEEDBACK.len();
                 let (first, weights) = (&start.values[..n], &weights[..n]);
                 let (values, before, slopes) = (&mut at.values[..n], &at.before[..n], &mut at.slopes[..n]);
-                let integral = |slope: &Eight, start: f64| {
-                    times(of.integrals, slope).fused(Eight::from_f64(of.h), Eight::from_f64(start))
-                };
                 for i in 0..n {
-                    values[i] = integral(&before[i], first[i]);
+                    values[i] = of.integral(&before[i], first[i]);
                 }
                 let (u, of_feedback) = values.split_at(<S as QuasiVelocities<Eight>>::N_QUASI);
                 for (&i, value) in <S as QuasiVelocities<Eight>>::FEEDBACK.iter().zip(of_feedback) {
                     at.q[i] = *value;
                 }
                 for &(i, k) in <S as QuasiVelocities<Eight>>::INTEGRALS {
-                    at.q[i] = integral(&u[k], start.q[i]);
+                    at.q[i] = of.integral(&u[k], start.q[i]);
                 }
                 let (a, rate) = slopes.split_at_mut(<S as QuasiVelocities<Eight>>::N_QUASI);
                 self.quasi_accelerations(of.c, *of.t, at.q, u, of.of_time, a, rate);

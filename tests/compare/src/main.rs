@@ -59,6 +59,7 @@ where
     of_ezy("EZY rk4", (0..N_STEPS).map(|m| 0.2 / 2.0_f64.powi(m)).collect(), Method::rk4);
     of_ezy("EZY dop853", tolerances(), Method::dop853);
     of_ezy("EZY taylor", tolerances(), Method::taylor);
+    of_ezy("EZY gauss", tolerances(), Method::gauss);
     Ok(measure(by_hand.name, &by_hand.end, &candidates))
 }
 

@@ -181,7 +181,12 @@ impl QuasiSweeps {
                 break ended;
             }
         };
-        equations.velocities_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, &values[..self.n_u], &mut nodes.v);
+        // velocities by the last slopes, as sweeps in all coordinates end with
+        lanes::integrate(h, start.values, slopes, values);
+        let (u, q) = values.split_at(self.n_u);
+        self.info.feedback.iter().zip(q).for_each(|(&i, q)| nodes.q[i] = *q);
+        lanes::integrate_some(h, start.q, u, self.info.integrals, &mut nodes.q);
+        equations.velocities_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, u, &mut nodes.v);
         lanes::coefficients(slopes, &mut self.coefficients);
         self.is_tried = true;
         system.counters().evaluations += N as u64 * u64::from(sweeps.n());

@@ -44,7 +44,7 @@
 //!
 //! # Beyond that
 //!
-//! - With the feature `cli`, `ezy_core::cli::main(&[&pendulum::MODEL])` is a command line of your models: `list`, `show`, `run`,
+//! - With the crate `ezy-cli`, `ezy_cli::main(&[&pendulum::MODEL])` is a command line of your models: `list`, `show`, `run`,
 //!   `animate`, `sketch`, `check`, `accuracy`.
 //! - [`accuracy`] measures what accuracy costs; [`simulate::Ensemble`] runs many scenes at once; [`simulate::Sensitivities`] gives
 //!   derivatives of a run.
@@ -74,8 +74,6 @@ pub mod accuracy;
 #[cfg(feature = "analysis")]
 pub mod analysis;
 mod archive;
-#[cfg(feature = "cli")]
-pub mod cli;
 pub mod dynamics;
 #[cfg(feature = "export")]
 pub mod export;

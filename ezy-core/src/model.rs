@@ -9,7 +9,7 @@
 //! pass the right ones.
 
 pub(crate) mod body_kind;
-pub(crate) mod coordinate;
+pub mod coordinate;
 mod derived;
 mod element;
 pub(crate) mod equations;
@@ -46,8 +46,8 @@ pub(crate) use pivots::Pivots;
 pub(crate) use quasi_velocities::EquationsInQuasiVelocities;
 pub use quasi_velocities::{QuasiVelocities, QuasiVelocitiesInfo};
 pub(crate) use repeats::LARGEST_N_MEMBERS;
-pub use repeats::{CountInfo, LayoutFault};
-pub(crate) use repeats::{Repeats, TemplateInfo};
+pub(crate) use repeats::Repeats;
+pub use repeats::{CountInfo, LayoutFault, TemplateInfo};
 pub use scene_info::SceneInfo;
 pub use series::SeriesInfo;
 pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
@@ -102,7 +102,7 @@ pub struct CoordinateInfo {
 
 impl CoordinateInfo {
     /// Whether it is an angle, or the rate of one.
-    pub(crate) fn is_angle(&self) -> bool {
+    pub fn is_angle(&self) -> bool {
         matches!(self.unit, "rad" | "rad/s")
     }
 

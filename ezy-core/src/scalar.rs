@@ -27,7 +27,7 @@ pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
 pub(crate) use lanes::{in_widest, packed};
-pub(crate) use plain::{legible, legible_time, rounded};
+pub use plain::{legible, legible_time, rounded};
 pub(crate) use random::SplitMix64;
 #[cfg(feature = "export")]
 pub use recorded::Recorded;

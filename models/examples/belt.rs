@@ -32,7 +32,7 @@ model! {
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     if std::env::args().len() > 1 {
-        return Ok(ezy_core::cli::main(&[&belt::MODEL]));
+        return Ok(ezy_cli::main(&[&belt::MODEL]));
     }
     for h in [3, 6, 12] {
         // 3 m and 1.2 kg of belt

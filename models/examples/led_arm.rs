@@ -49,5 +49,5 @@ model! {
 }
 
 fn main() -> ExitCode {
-    ezy_core::cli::main(&[&led_arm::MODEL])
+    ezy_cli::main(&[&led_arm::MODEL])
 }

@@ -69,5 +69,5 @@ ezy_core::model! {
 }
 
 fn main() -> ExitCode {
-    ezy_core::cli::main(&[&four_bar::MODEL, &toggle::MODEL, &massless::MODEL, &sign::MODEL, &sprung::MODEL])
+    ezy_cli::main(&[&four_bar::MODEL, &toggle::MODEL, &massless::MODEL, &sign::MODEL, &sprung::MODEL])
 }

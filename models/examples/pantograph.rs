@@ -41,7 +41,7 @@ model! {
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     if std::env::args().len() > 1 {
-        return Ok(ezy_core::cli::main(&[&pantograph::MODEL]));
+        return Ok(ezy_cli::main(&[&pantograph::MODEL]));
     }
     let run = Simulation::new(&pantograph::Eight::default()).outputs().every(0.25).run()?;
     println!("t [s]   tracer P [m]          pen Q [m]");

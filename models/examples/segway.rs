@@ -52,7 +52,7 @@ pub fn controller(part: f64, goal: f64) -> impl FnMut(&Now<Balance>, &mut Inputs
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     if std::env::args().len() > 1 {
-        return Ok(ezy_core::cli::main(&[&segway::MODEL]));
+        return Ok(ezy_cli::main(&[&segway::MODEL]));
     }
     let scene = Balance::default();
     let run = Simulation::new(&scene).method(Method::rk4(2e-3)).outputs().every(2.0).control(controller(1.0, GOAL));

@@ -49,7 +49,7 @@ model! {
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     if std::env::args().len() > 1 {
-        return Ok(ezy_core::cli::main(&[&skid_steer::MODEL]));
+        return Ok(ezy_cli::main(&[&skid_steer::MODEL]));
     }
     let scene = skid_steer::Turning::default();
     let run = Simulation::new(&scene).method(Method::dop853(1e-10)).outputs().run()?;

@@ -6,7 +6,7 @@
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
-use ezy_core::cli::Progress;
+use ezy_cli::Progress;
 use ezy_core::prelude::*;
 use ezy_core::report::figure::Figure;
 use ezy_core::sweep::{Cell, Plan, Results, Sweep};

@@ -64,5 +64,5 @@ model! {
 }
 
 fn main() -> ExitCode {
-    ezy_core::cli::main(&[&caravan::MODEL, &caster::MODEL])
+    ezy_cli::main(&[&caravan::MODEL, &caster::MODEL])
 }

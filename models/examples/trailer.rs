@@ -68,7 +68,7 @@ pub fn to_the_line(off: f64, heading: f64) -> f64 {
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     if std::env::args().len() > 1 {
-        return Ok(ezy_core::cli::main(&[&trailer::MODEL]));
+        return Ok(ezy_cli::main(&[&trailer::MODEL]));
     }
     let scene = Back::default();
     let run = Simulation::new(&scene).method(Method::rk4(0.01)).outputs().every(10.0);

@@ -63,5 +63,5 @@ model! {
 }
 
 fn main() -> ExitCode {
-    ezy_core::cli::main(&[&tricycle::MODEL])
+    ezy_cli::main(&[&tricycle::MODEL])
 }

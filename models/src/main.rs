@@ -1,6 +1,6 @@
 //! The `ezy` command line: the commands of every crate with models, and the study.
 
-use ezy_core::cli::CommandLine;
+use ezy_cli::CommandLine;
 use ezy_models::{new, registry::MODELS, study::command};
 
 const ABOUT: &str = "\

@@ -6,8 +6,8 @@ mod source;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ezy_core::cli::clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
-use ezy_core::cli::{Failure, print};
+use ezy_cli::clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use ezy_cli::{Failure, print};
 use source::Source;
 
 /// The model that a new crate starts from.
@@ -34,12 +34,13 @@ cargo test                               # equations against finite differences,
 ";
 
 /// Names that Cargo or Rust keep for themselves, or that a crate which uses EZY cannot have.
-const TAKEN: [&str; 14] = [
+const TAKEN: [&str; 15] = [
     "alloc",
     "build",
     "core",
     "deps",
     "examples",
+    "ezy_cli",
     "ezy_core",
     "ezy_derive",
     "ezy_models",
@@ -74,7 +75,7 @@ pub fn command() -> Command {
         .about("Writes a crate for a model of your own: model file, command line, controller, test")
         .long_about(
             "Writes a crate for a model of your own: model file, command line, controller, test\n\n\
-             The model file holds a small vehicle with comments, to be changed or replaced. The crate depends on `ezy-core` alone, stands \
+             The model file holds a small vehicle with comments, to be changed or replaced. The crate depends on `ezy-core` and `ezy-cli` alone, stands \
              wherever you want, and has the commands of this program for its model.\n\n\
              With --python it is a Python module as well: `pip install .` builds it, and its scenes, runs and steppers are classes in \
              Python. A test in Python stands in place of the controller and the test in Rust.",
@@ -116,10 +117,10 @@ pub fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         write(&path.join("Cargo.lock"), &lock)?;
     }
     print(&format!(
-        "Wrote {}: a small vehicle to start from, in src/{}.rs. It takes ezy-core from {}.\n\ncd \"{}\"\n{}",
+        "Wrote {}: a small vehicle to start from, in src/{}.rs. It takes EZY from {}.\n\ncd \"{}\"\n{}",
         path.display(),
         name.replace('-', "_"),
-        source.core,
+        source.packages[0],
         path.display(),
         filled(next, &placeholders),
     ))
@@ -155,17 +156,17 @@ fn check_name(name: &str) -> Result<(), String> {
 }
 
 /// What stands for the names of the crate in its files, and for the sources of EZY, with what takes their place.
-fn placeholders(name: &str, source: &Source) -> [(&'static str, String); 6] {
+fn placeholders(name: &str, source: &Source) -> Vec<(&'static str, String)> {
     let capital = |part: &str| part[..1].to_uppercase() + &part[1..];
     let model: String = name.split(['-', '_']).map(capital).collect();
-    [
+    let mut all = vec![
         ("my-mechanism", name.to_owned()),
         ("my_mechanism", name.replace('-', "_")),
         ("mymechanism", model.to_lowercase()),
         ("MyMechanism", model),
-        (source::CORE, source.core.clone()),
-        (source::PYTHON, source.python.clone()),
-    ]
+    ];
+    all.extend(source::PACKAGES.iter().zip(&source.packages).map(|((_, stands), value)| (*stands, value.clone())));
+    all
 }
 
 /// Fills in the placeholders from the left to the right, so that nothing is replaced in what was filled in.

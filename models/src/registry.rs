@@ -1,6 +1,6 @@
 //! Every model by name: what the command line and the generic tests go through.
 
-use ezy_core::cli::Selection;
+use ezy_cli::Selection;
 use ezy_core::model::ModelInfo;
 use ezy_core::record::UnknownName;
 
@@ -32,5 +32,5 @@ pub static MODELS: &[&ModelInfo] = &[
 /// # Errors
 /// [`UnknownName`] with the nearest model or scene.
 pub fn find(path: &str) -> Result<Selection, UnknownName> {
-    ezy_core::cli::find(MODELS, path)
+    ezy_cli::find(MODELS, path)
 }

@@ -1,7 +1,7 @@
 //! What notebooks show: equations, sketches and animations.
 
 use crate::error::wrong;
-use ezy_core::cli::animation_page;
+use ezy_cli::animation_page;
 use ezy_core::integrate::Method;
 use ezy_core::model::{Equation, Scene, SceneInfo};
 use ezy_core::report::drawing::{Drawing, Elements, Film, Placed};

@@ -159,8 +159,7 @@ impl WorkPrecision {
 const OPT_LEVEL: &str = env!("EZY_OPT_LEVEL");
 
 /// Whether this crate was built without optimisation, so that times mean nothing.
-#[cfg(feature = "cli")]
-pub(crate) const IS_UNOPTIMISED: bool = matches!(OPT_LEVEL.as_bytes(), b"0");
+pub const IS_UNOPTIMISED: bool = matches!(OPT_LEVEL.as_bytes(), b"0");
 
 /// Processor, target and kind of build.
 pub(super) fn machine() -> String {

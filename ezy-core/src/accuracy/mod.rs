@@ -42,9 +42,7 @@ pub use advice::{Advice, Candidate};
 pub use error::AccuracyError;
 pub use errors::{Comparison, Errors, Size};
 pub use ladder::Ladder;
-#[cfg(feature = "cli")]
-pub(crate) use measured::IS_UNOPTIMISED;
-pub use measured::{Missing, WorkPrecision};
+pub use measured::{IS_UNOPTIMISED, Missing, WorkPrecision};
 pub use order::Accuracy;
 pub use point::{Measured, Point, PointResult};
 pub use reference::{Reference, Second};

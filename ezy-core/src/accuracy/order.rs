@@ -116,6 +116,10 @@ impl<'s> Accuracy<'s> {
     /// # Errors
     /// [`AccuracyError`]: the settings cannot be used, there is no reference, or it was interrupted before there was one.
     pub fn measure(self, mut progress: impl FnMut(f64, &str)) -> Result<WorkPrecision, AccuracyError> {
+        self.measured(&mut progress)
+    }
+
+    fn measured(self, progress: &mut dyn FnMut(f64, &str)) -> Result<WorkPrecision, AccuracyError> {
         let Self { scene, until_s, given, inputs, budget_s, ladder, interrupt } = self;
         if !(budget_s > 0.0 && budget_s <= LONGEST_BUDGET_S) {
             return Err(AccuracyError::Budget { budget_s, longest_s: LONGEST_BUDGET_S });

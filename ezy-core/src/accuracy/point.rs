@@ -130,7 +130,7 @@ impl Point {
     }
 
     /// `measured`, why it stopped, `not run` or `interrupted`.
-    pub(crate) fn outcome(&self) -> &str {
+    pub fn outcome(&self) -> &str {
         match &self.result {
             PointResult::Measured(_) => "measured",
             PointResult::Stopped(reason) => reason,

@@ -60,8 +60,7 @@ pub(crate) use solved::Rows;
 pub use solved::Solved;
 pub use strain::{Strain, StrainSource};
 pub use system::System;
-#[cfg(feature = "cli")]
-pub(crate) use system::described_solver;
+pub use system::described_solver;
 pub(crate) use with_derivatives::{Kernels, SystemWithDerivatives};
 pub use worst::{Projected, Worst};
 

@@ -287,8 +287,7 @@ fn sparse(info: &SceneInfo) -> Result<Box<dyn KktFactorization>, SystemError> {
 }
 
 /// The backend that takes a scene without a generated elimination, with which factors, and at what cost.
-#[cfg(feature = "cli")]
-pub(crate) fn described_solver(info: &SceneInfo) -> Option<(Backend, String)> {
+pub fn described_solver(info: &SceneInfo) -> Option<(Backend, String)> {
     let describe = || match without_elimination(info) {
         Ok(Solver::Sparse(kkt)) => (Backend::Sparse, kkt.describe()),
         Ok(_) => (Backend::Dense, format!("null-space method, {} equations", info.n_unknowns())),

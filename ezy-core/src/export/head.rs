@@ -116,7 +116,7 @@ pub(super) fn title(source: &Source<'_>) -> Vec<String> {
 }
 
 /// A name for files and prefixes: `ezyroller_driven`.
-pub(crate) fn file_name(info: &SceneInfo) -> String {
+pub fn file_name(info: &SceneInfo) -> String {
     let of = |name: &str| super::identifiers::identifier(&name.to_lowercase());
     format!("{}_{}", of(info.model), of(info.name))
 }

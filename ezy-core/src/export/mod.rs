@@ -18,8 +18,7 @@ mod recorder;
 mod script;
 mod statements;
 
-#[cfg(feature = "cli")]
-pub(crate) use head::file_name;
+pub use head::file_name;
 pub use language::Language;
 
 use crate::dynamics::{MotionError, RankLoss, System, SystemError};

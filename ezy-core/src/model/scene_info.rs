@@ -107,8 +107,7 @@ impl SceneInfo {
     }
 
     /// How many position constraints, and how many rows, hold at the start.
-    #[cfg(feature = "cli")]
-    pub(crate) fn n_rows_at_start(&self) -> [usize; 2] {
+    pub fn n_rows_at_start(&self) -> [usize; 2] {
         let off = || self.holding_switches().filter(|(_, switch)| switch.start == 0.0);
         [self.n_position_rows, self.n_rows()].map(|n| n - off().filter(|(_, switch)| switch.row < n).count())
     }
@@ -140,13 +139,12 @@ impl SceneInfo {
     }
 
     /// The bodies that pictures show: they are of the plane, and show none where a body moves in space.
-    pub(crate) fn drawn_bodies(&self) -> &[Name] {
+    pub fn drawn_bodies(&self) -> &[Name] {
         if self.is_planar() { &self.bodies } else { &[] }
     }
 
     /// The places of each body in v.
-    #[cfg(feature = "cli")]
-    pub(crate) fn velocities_of_bodies(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+    pub fn velocities_of_bodies(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         let mut first = 0;
         (0..self.bodies.len()).map(move |i| {
             let n = self.kinds.get(i).copied().unwrap_or_default().velocities().len();

@@ -75,8 +75,7 @@ impl OutputFile {
     ///
     /// # Errors
     /// The error of the system.
-    #[cfg(feature = "cli")]
-    pub(crate) fn write_over_start(&mut self, bytes: &[u8]) -> io::Result<()> {
+    pub fn write_over_start(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.file.rewind()?;
         self.file.write_all(bytes)?;
         self.file.seek(SeekFrom::End(0)).map(|_| ())

@@ -9,7 +9,7 @@ const LONGEST_ROW: u64 = 16;
 const MIB: u64 = 1024 * 1024;
 
 /// Reads a text by rows up to the largest size of a file and of a row.
-pub(crate) struct LimitedReader<R> {
+pub struct LimitedReader<R> {
     inner: R,
     largest_file: u64,
     longest_row: u64,
@@ -19,7 +19,8 @@ pub(crate) struct LimitedReader<R> {
 }
 
 impl<R: Read> LimitedReader<R> {
-    pub(crate) fn new(inner: R) -> Self {
+    /// `inner`, up to 512 MiB, with rows of up to 16 MiB.
+    pub fn new(inner: R) -> Self {
         Self { inner, largest_file: LARGEST_FILE * MIB, longest_row: LONGEST_ROW * MIB, n_read: 0, of_row: 0 }
     }
 }

@@ -10,7 +10,7 @@ mod sample;
 pub use columns::{Column, columns};
 pub(crate) use columns::{POTENTIAL, column_index};
 pub use csv_writer::CsvWriter;
-pub(crate) use limited_reader::LimitedReader;
+pub use limited_reader::LimitedReader;
 pub(crate) use memory::Record;
 pub use names::{UnknownName, coordinate_index, find_name, input_index, output_index};
 pub use sample::{EnergyState, Sample};

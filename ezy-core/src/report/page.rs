@@ -184,8 +184,7 @@ pub fn escape(text: &str) -> String {
 }
 
 /// Text of a documentation: what stands in backquotes is code.
-#[cfg(feature = "cli")]
-pub(crate) fn prose(text: &str) -> String {
+pub fn prose(text: &str) -> String {
     let parts = escape(text.trim());
     let parts = parts.split('`').enumerate();
     parts.map(|(i, part)| if i % 2 == 0 { part.to_owned() } else { format!("<code>{part}</code>") }).collect()

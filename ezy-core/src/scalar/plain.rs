@@ -81,18 +81,18 @@ impl Scalar for f64 {
 const PLAIN: Range<f64> = 1e-6..1e15;
 
 /// All digits of a number, with an exponent where it is very small or very large.
-pub(crate) fn legible(x: f64) -> String {
+pub fn legible(x: f64) -> String {
     if x == 0.0 || !x.is_finite() || PLAIN.contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
 }
 
 /// A number rounded to so many significant digits.
-pub(crate) fn rounded(x: f64, n_digits: usize) -> String {
+pub fn rounded(x: f64, n_digits: usize) -> String {
     let digits = n_digits.saturating_sub(1);
     format!("{x:.digits$e}").parse().map_or_else(|_| legible(x), legible)
 }
 
 /// A time as people write it: without the rounding of the sum of its steps, 0.30000000000000004.
-pub(crate) fn legible_time(t: f64) -> String {
+pub fn legible_time(t: f64) -> String {
     const N_DIGITS: usize = 12;
     rounded(t, N_DIGITS)
 }

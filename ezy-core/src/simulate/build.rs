@@ -15,8 +15,18 @@ use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, State, System};
 use crate::integrate::Clock;
 use crate::memory;
-use crate::model::{Name, Scene as _, SceneInfo, SceneRef, Start};
+use crate::model::{Name, Scene, SceneInfo, SceneRef, Start};
 use crate::record::input_index;
+
+impl<'s> Simulation<'s, &'s (dyn Scene + 's)> {
+    /// [`Simulation::run`] for a scene behind its trait: compiled with this crate, so that a caller is as fast when it is not optimised.
+    ///
+    /// # Errors
+    /// Those of [`Simulation::run`].
+    pub fn run_dyn(self) -> Result<Run, SetupError> {
+        self.run()
+    }
+}
 
 impl<'s, P: SceneRef> Simulation<'s, P> {
     /// Runs.

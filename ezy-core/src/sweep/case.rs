@@ -4,7 +4,7 @@ use super::finished::{Ended, Finished};
 use super::kept::Reader;
 use super::plan::{Plan, Value};
 use super::trajectories::Trajectories;
-use crate::model::{Scene as _, SceneInfo, SceneRef};
+use crate::model::{Scene, SceneInfo, SceneRef};
 use crate::record::{Column, UnknownName};
 use crate::simulate::{Alone, Outcome, Run, SetupError, Simulation, Waiting};
 use std::cell::RefCell;
@@ -72,6 +72,17 @@ impl<'a> Case<'a> {
     /// Values in the order of [`Plan::names`].
     pub fn values(&self) -> &[Value<'a>] {
         &self.values
+    }
+
+    /// [`Case::run`] of a scene behind its trait: compiled with this crate, so that a caller is as fast when it is not optimised.
+    ///
+    /// # Errors
+    /// Those of [`Case::run`].
+    pub fn run_dyn<'s>(&self, simulation: Simulation<'s, &'s (dyn Scene + 's)>) -> Result<Finished, SetupError>
+    where
+        'a: 's,
+    {
+        self.run(simulation)
     }
 
     /// Runs `simulation` with what the sweep keeps, and keeps that.

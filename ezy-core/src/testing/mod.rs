@@ -39,7 +39,7 @@ use probe::Probe;
 ///
 /// # Errors
 /// [`CheckError::Failed`] with the report when a check failed, others when the scene cannot be set up or started.
-pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckError> {
+pub fn check_scene(scene: &dyn Scene) -> Result<CheckReport, CheckError> {
     let mut system = System::new(scene, Backend::Auto)?;
     let info = scene.info();
     let is_integrated = |i: usize| info.integrated_inputs.iter().any(|first| (*first..first + 4).contains(&i));

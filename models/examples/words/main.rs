@@ -10,7 +10,7 @@ mod scenes;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    ezy_core::cli::main(&[
+    ezy_cli::main(&[
         &items::param::MODEL,
         &items::named::MODEL,
         &items::count::MODEL,

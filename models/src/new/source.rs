@@ -3,16 +3,17 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What stands for the source of `ezy-core` in a manifest of the template.
-pub(super) const CORE: &str = "path = \"../../ezy-core\"";
+/// The packages of EZY that a crate depends on: the folder of each, and what stands for its source in a manifest of the template.
+pub(super) const PACKAGES: [(&str, &str); 3] = [
+    ("ezy-core", "path = \"../../ezy-core\""),
+    ("ezy-cli", "path = \"../../ezy-cli\""),
+    ("python", "path = \"../../../python\""),
+];
 
-/// What stands there for that of `ezy-python`.
-pub(super) const PYTHON: &str = "path = \"../../../python\"";
-
-/// Where a crate finds `ezy-core` and `ezy-python`, as it stands in a manifest.
+/// Where a crate finds the [`PACKAGES`].
 pub(super) struct Source {
-    pub(super) core: String,
-    pub(super) python: String,
+    /// As it stands in a manifest.
+    pub(super) packages: [String; PACKAGES.len()],
     /// That of EZY, where there is one.
     folder: Option<PathBuf>,
 }
@@ -21,7 +22,7 @@ impl Source {
     pub(super) fn of(given: Option<&str>) -> Result<Self, String> {
         let both = |key: &str, value: &str| {
             let dependency = format!("{key} = {}", quoted(value));
-            Self { core: dependency.clone(), python: dependency, folder: None }
+            Self { packages: PACKAGES.map(|_| dependency.clone()), folder: None }
         };
         let Some(given) = given else {
             let built_in = Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Self::folder);
@@ -42,11 +43,12 @@ impl Source {
 
     fn folder(folder: &Path) -> Result<Self, String> {
         let has_core = folder.join("ezy-core").join("Cargo.toml").exists();
-        let absolute = |name: &str| std::path::absolute(folder.join(name)).ok()?.to_str().map(quoted);
-        let dependencies = has_core.then(|| absolute("ezy-core").zip(absolute("python"))).flatten();
-        let (core, python) = dependencies
+        let root = has_core.then(|| std::path::absolute(folder).ok()).flatten();
+        let root = root.as_deref().filter(|root| root.to_str().is_some());
+        let root = root
             .ok_or_else(|| format!("`{}` is not the folder of EZY: it has no ezy-core/Cargo.toml", folder.display()))?;
-        Ok(Self { core: format!("path = {core}"), python: format!("path = {python}"), folder: Some(folder.to_owned()) })
+        let packages = PACKAGES.map(|(name, _)| format!("path = {}", quoted(&root.join(name).to_string_lossy())));
+        Ok(Self { packages, folder: Some(folder.to_owned()) })
     }
 
     /// Says where `ezy-python` is missing in a folder of EZY.

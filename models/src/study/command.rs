@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use ezy_core::cli::clap::{Arg, ArgMatches, Command, value_parser};
-use ezy_core::cli::{Failure, Interruption, Progress, print};
+use ezy_cli::clap::{Arg, ArgMatches, Command, value_parser};
+use ezy_cli::{Failure, Interruption, Progress, print};
 
 use super::StudyError;
 

@@ -2,5 +2,5 @@
 //! `man`, `help`.
 
 fn main() -> std::process::ExitCode {
-    ezy_core::cli::main(&[&my_mechanism::MODEL])
+    ezy_cli::main(&[&my_mechanism::MODEL])
 }

@@ -37,7 +37,7 @@ fn invariant_new_crate_has_figures() {
     let folder = directory("new_figures").join("tricycle");
     assert!(ezy(&["new", folder.to_str().unwrap()]).status.success());
     let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
-    assert!(manifest.contains("features = [\"cli\", \"figures\"]"), "{manifest}");
+    assert!(manifest.contains("ezy-cli\", features = [\"figures\"]"), "{manifest}");
 }
 
 /// Names that hold the placeholder are filled in once.

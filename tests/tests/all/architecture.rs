@@ -2,6 +2,7 @@
 //! does not depend on the crate that it writes for: what stands in both is alike.
 
 use crate::circles::{self, modules};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -35,27 +36,28 @@ const CORE: &[(&str, &[&str])] = &[
         &["accuracy", "simulate", "integrate", "dynamics", "linalg", "output", "record", "report", "model", "scalar"],
     ),
     ("sweep", &["sweep", "simulate", "dynamics", "linalg", "output", "record", "model"]),
-    (
-        "cli",
-        &[
-            "cli",
-            "analysis",
-            "accuracy",
-            "export",
-            "sweep",
-            "testing",
-            "simulate",
-            "integrate",
-            "dynamics",
-            "linalg",
-            "record",
-            "report",
-            "output",
-            "model",
-            "scalar",
-        ],
-    ),
 ];
+
+/// The command line, and the layers of the core that it may import.
+const CLI: (&str, &[&str]) = (
+    "ezy-cli",
+    &[
+        "analysis",
+        "accuracy",
+        "export",
+        "sweep",
+        "testing",
+        "simulate",
+        "integrate",
+        "dynamics",
+        "linalg",
+        "record",
+        "report",
+        "output",
+        "model",
+        "scalar",
+    ],
+);
 
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -86,10 +88,19 @@ fn invariant_layers_of_the_core_import_downwards() {
     check("ezy-core/src", CORE);
 }
 
+#[test]
+fn invariant_command_line_imports_the_layers_that_are_listed() {
+    let texts = modules("ezy-cli/src");
+    let paths: Vec<Vec<String>> = texts.values().flat_map(|text| circles::paths(text)).collect();
+    let imported: BTreeSet<&str> =
+        paths.iter().filter(|path| path[0] == "ezy_core" && path.len() > 1).map(|path| path[1].as_str()).collect();
+    assert_eq!(imported, CLI.1.iter().copied().collect());
+}
+
 /// Where each layer stands in the picture: column and floor.
 const PLACES: [&[(&str, [u32; 2])]; 2] = [
     &[
-        ("cli", [380, 7]),
+        ("ezy-cli", [380, 7]),
         ("optimise", [120, 6]),
         ("accuracy", [500, 6]),
         ("sweep", [640, 6]),
@@ -117,7 +128,7 @@ const PLACES: [&[(&str, [u32; 2])]; 2] = [
 ];
 
 /// The layers that one imports, without those that one of them imports, too.
-fn next_below(layers: &'static [(&'static str, &'static [&'static str])], of: &str) -> Vec<&'static str> {
+fn next_below(layers: &[(&'static str, &'static [&'static str])], of: &str) -> Vec<&'static str> {
     let imports = |of: &str| layers.iter().find(|(layer, _)| *layer == of).map_or(&[][..], |(_, imports)| imports);
     let below = || imports(of).iter().copied().filter(|layer| *layer != of);
     below().filter(|layer| !below().any(|over| over != *layer && imports(over).contains(layer))).collect()
@@ -129,7 +140,8 @@ fn picture() -> String {
     let y = |floor: u32| FLOOR * (7 - floor) + 56;
     let mut lines = String::new();
     let mut boxes = String::new();
-    for (layers, places) in [CORE, DERIVE].into_iter().zip(PLACES) {
+    let upwards = [&[CLI], CORE].concat();
+    for (layers, places) in [&upwards[..], DERIVE].into_iter().zip(PLACES) {
         let place = |layer: &str| places.iter().find(|(name, _)| *name == layer).map(|(_, place)| *place);
         // what emitted code calls stands beside the layers
         for (layer, _) in layers.iter().filter(|(layer, _)| *layer != "kernel") {
@@ -165,7 +177,7 @@ fn regress_picture_of_the_layers_is_that_of_their_imports() {
 
 /// Texts in single backquotes that are paths of the repository.
 pub fn paths(page: &str) -> Vec<&str> {
-    let prefixes = ["ezy-derive/", "ezy-core/", "models/", "tests/", "docs/"];
+    let prefixes = ["ezy-derive/", "ezy-core/", "ezy-cli/", "models/", "tests/", "docs/"];
     let quoted = page.split('`').skip(1).step_by(2);
     quoted.filter(|quoted| prefixes.iter().any(|prefix| quoted.starts_with(prefix))).collect()
 }

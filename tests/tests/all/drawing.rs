@@ -164,7 +164,7 @@ fn invariant_small_sketches_keep_their_letters_and_fit() {
 
 #[test]
 fn invariant_script_of_the_page_names_elements_that_the_page_has() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../ezy-core/src/cli/animate");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../ezy-cli/src/animate");
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
     let (page, script) = (read("page.html"), read("page.js"));
     let names = script.split("$(\"").skip(1).filter_map(|rest| rest.split('"').next());

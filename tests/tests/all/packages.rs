@@ -6,10 +6,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Packages that are published, in the order in which that is done.
-const PUBLISHED: [&str; 3] = ["ezy-derive", "ezy-core", "models"];
+const PUBLISHED: [&str; 4] = ["ezy-derive", "ezy-core", "ezy-cli", "models"];
 
 /// Those of the workspace.
-const MEMBERS: [&str; 4] = ["ezy-derive", "ezy-core", "models", "tests"];
+const MEMBERS: [&str; 5] = ["ezy-derive", "ezy-core", "ezy-cli", "models", "tests"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

@@ -89,8 +89,7 @@ impl InputTable {
     }
 
     /// Time of the first value, s; of a value that is the same at all times, negative infinity.
-    #[cfg(feature = "cli")]
-    pub(crate) fn begin(&self) -> f64 {
+    pub fn begin(&self) -> f64 {
         self.times[0]
     }
 

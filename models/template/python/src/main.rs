@@ -4,5 +4,5 @@
 mod my_mechanism;
 
 fn main() -> std::process::ExitCode {
-    ezy_core::cli::main(&[&my_mechanism::my_mechanism::MODEL])
+    ezy_cli::main(&[&my_mechanism::my_mechanism::MODEL])
 }

@@ -36,7 +36,8 @@ fn sources(folder: &Path) -> String {
 #[test]
 fn invariant_symptoms_quote_messages_that_are_there() {
     let root = docs("..");
-    let text = sources(&root.join("ezy-core/src")) + &sources(&root.join("models/src"));
+    let text: String =
+        ["ezy-core/src", "ezy-cli/src", "models/src"].iter().map(|folder| sources(&root.join(folder))).collect();
     let mut seen = 0;
     for [symptom, ..] in symptoms() {
         for quoted in symptom.split('"').skip(1).step_by(2) {

@@ -87,6 +87,9 @@ fn reference_example_of_a_new_row_works_as_the_page_says() {
         .args(["test", "--quiet", "--offline", "--lib", "worked_example"])
         .current_dir(&root)
         .env("CARGO_TARGET_DIR", root.with_extension("target"))
+        // built once, and not debugged
+        .env("CARGO_INCREMENTAL", "0")
+        .env("CARGO_PROFILE_DEV_DEBUG", "false")
         .output()
         .expect("cargo runs");
     let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);

@@ -86,7 +86,8 @@ impl From<AccuracyError> for Failure {
             AccuracyError::Figure(_) => Self::stopped(error),
             AccuracyError::Write { .. } => Self::wrong_use(format!("{error} with --out")),
             AccuracyError::Budget { .. } => Self::wrong_use(format!("{error} with --budget")),
-            _ => Self::wrong_use(error),
+            AccuracyError::Setup(_) | AccuracyError::NoTime { .. } => Self::wrong_use(error),
+            _ => Self::stopped(error),
         }
     }
 }

@@ -327,7 +327,7 @@ pub(super) struct CheckArguments {
     feature = "figures",
     doc = "Writes index.html, which needs nothing else, its figures as SVG and PNG, and accuracy.csv."
 )]
-#[cfg_attr(not(feature = "figures"), doc = "Writes accuracy.csv (with the feature `figures` of ezy-core also a page).")]
+#[cfg_attr(not(feature = "figures"), doc = "Writes accuracy.csv (with the feature `figures` of ezy-cli also a page).")]
 /// Errors are those achieved against a reference that a second method
 /// confirms; times are processor times of repeated runs that record nothing between their ends. Ctrl-C ends the measurement
 /// and writes what was measured.

@@ -242,6 +242,7 @@ pub(crate) fn sensitivities(
 }
 
 /// Where samples are.
+#[cfg_attr(not(feature = "analysis"), expect(dead_code, reason = "sensitivities are of that feature"))]
 pub(crate) enum Samples {
     /// Interval, s.
     Every(f64),

@@ -286,7 +286,7 @@ fn sparse(info: &SceneInfo) -> Result<Box<dyn KktFactorization>, SystemError> {
     })
 }
 
-/// The backend that takes a scene without a generated elimination, with which factors, and at what cost.
+/// The backend that takes a scene without a generated elimination, with which factors and at what cost, or why none can; `None` for a scene that has one.
 pub fn described_solver(info: &SceneInfo) -> Option<(Backend, String)> {
     let describe = || match without_elimination(info) {
         Ok(Solver::Sparse(kkt)) => (Backend::Sparse, kkt.describe()),

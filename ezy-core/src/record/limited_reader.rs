@@ -8,7 +8,8 @@ const LARGEST_FILE: u64 = 512;
 const LONGEST_ROW: u64 = 16;
 const MIB: u64 = 1024 * 1024;
 
-/// Reads a text by rows up to the largest size of a file and of a row.
+/// Reads a table of numbers as text, up to the largest size of a file and of a row; beyond, [`Read::read`] fails with
+/// [`io::ErrorKind::Other`] and says so.
 pub struct LimitedReader<R> {
     inner: R,
     largest_file: u64,

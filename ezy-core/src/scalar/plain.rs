@@ -91,7 +91,7 @@ pub fn rounded(x: f64, n_digits: usize) -> String {
     format!("{x:.digits$e}").parse().map_or_else(|_| legible(x), legible)
 }
 
-/// A time as people write it: without the rounding of the sum of its steps, 0.30000000000000004.
+/// A time in seconds as people write it, to 12 digits: without the rounding of the sum of its steps, 0.30000000000000004.
 pub fn legible_time(t: f64) -> String {
     const N_DIGITS: usize = 12;
     rounded(t, N_DIGITS)

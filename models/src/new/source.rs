@@ -42,11 +42,14 @@ impl Source {
     }
 
     fn folder(folder: &Path) -> Result<Self, String> {
-        let has_core = folder.join("ezy-core").join("Cargo.toml").exists();
-        let root = has_core.then(|| std::path::absolute(folder).ok()).flatten();
-        let root = root.as_deref().filter(|root| root.to_str().is_some());
-        let root = root
-            .ok_or_else(|| format!("`{}` is not the folder of EZY: it has no ezy-core/Cargo.toml", folder.display()))?;
+        let missing = ["ezy-core", "ezy-cli"].into_iter().find(|name| !folder.join(name).join("Cargo.toml").exists());
+        if let Some(missing) = missing {
+            return Err(format!("`{}` is not the folder of EZY: it has no {missing}/Cargo.toml", folder.display()));
+        }
+        let root = std::path::absolute(folder).ok().and_then(|root| root.to_str().map(PathBuf::from));
+        let root = root.ok_or_else(|| {
+            format!("the path of `{}` cannot stand in Cargo.toml: it is no Unicode text", folder.display())
+        })?;
         let packages = PACKAGES.map(|(name, _)| format!("path = {}", quoted(&root.join(name).to_string_lossy())));
         Ok(Self { packages, folder: Some(folder.to_owned()) })
     }

@@ -20,7 +20,7 @@ fn invariant_new_crate_has_its_name_in_all_places() {
     for file in written {
         let content = fs::read_to_string(&file).unwrap().to_lowercase();
         assert!(!content.contains("mechanism\"") && !content.contains("my_mechanism"), "{}", file.display());
-        assert!(!content.contains("../../ezy-core"), "{}", file.display());
+        assert!(!content.contains("../../ezy-"), "{}", file.display());
     }
     assert!(fs::read_to_string(folder.join("src/my_own_robot2.rs")).unwrap().contains("pub model MyOwnRobot2 {"));
     let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
@@ -58,7 +58,9 @@ fn invariant_new_crate_takes_ezy_from_where_it_is_told() {
         let folder = folder.join(format!("trial{i}"));
         assert!(ezy(&["new", folder.to_str().unwrap(), "--ezy", source]).status.success());
         let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
-        assert!(manifest.contains(&format!("ezy-core = {{ {dependency}, default-features")), "{manifest}");
+        for package in ["ezy-core = ", "ezy-cli = "] {
+            assert!(manifest.contains(&format!("{package}{{ {dependency}, ")), "{manifest}");
+        }
     }
 }
 
@@ -101,7 +103,9 @@ fn invariant_new_python_module_has_its_name_in_all_places() {
     let of = |file: &str| fs::read_to_string(folder.join(file)).unwrap();
     let manifest = of("Cargo.toml");
     let ezy = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-    for (name, path) in [("ezy-core", ezy.join("ezy-core")), ("ezy-python", ezy.join("python"))] {
+    for (name, path) in
+        [("ezy-core", ezy.join("ezy-core")), ("ezy-cli", ezy.join("ezy-cli")), ("ezy-python", ezy.join("python"))]
+    {
         assert!(manifest.contains(&format!("{name} = {{ path = {path:?}")), "{manifest}");
     }
     for part in ["name = \"my_own_robot2\"", "crate-type = [\"cdylib\"]", "abi3-py310"] {
@@ -141,8 +145,10 @@ fn invariant_new_python_module_finds_ezy_where_it_is_told() {
     let manifest = fs::read_to_string(from_git.join("Cargo.toml")).unwrap();
     assert!(manifest.contains(&format!("ezy-python = {{ git = \"{url}\" }}")), "{manifest}");
 
-    fs::create_dir_all(without.join("ezy-core")).unwrap();
-    fs::write(without.join("ezy-core/Cargo.toml"), "").unwrap();
+    for package in ["ezy-core", "ezy-cli"] {
+        fs::create_dir_all(without.join(package)).unwrap();
+        fs::write(without.join(package).join("Cargo.toml"), "").unwrap();
+    }
     let other = folder.join("other");
     let arguments = ["new", "--python", other.to_str().unwrap(), "--ezy", without.to_str().unwrap()];
     assert_wrong_use(&arguments, "has no python/Cargo.toml");

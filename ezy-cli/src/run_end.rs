@@ -9,7 +9,7 @@ use ezy_core::record::Sample;
 use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::{legible, legible_time, rounded};
 use ezy_core::simulate::{
-    EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, SingularityCrossed, StopReason,
+    EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, SingularityCrossed, SoftestImpact, StopReason,
 };
 
 use super::run_error::{error_json, error_remark, error_text};
@@ -67,6 +67,7 @@ pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, free
     });
     end["monitors"] = monitors_json(run.map(|run| &run.monitors));
     end["added_up"] = json!(run.and_then(|run| added_up(run, method)));
+    end["attainable_tolerance"] = json!(run.and_then(|run| attainable(run, method)));
     end["stiff_since"] = json!(run.and_then(|run| run.stiff_since_s));
     let cost = run.map(|run| run.cost);
     end["cost"] = json!({
@@ -200,6 +201,8 @@ pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     lifted_remark(method)
         + &stiff
         + &steps_remark(run, method)
+        + &attainable_remark(run, method)
+        + &impacts_remark(run, method)
         + &beside_remark(run)
         + &remark(run, method, radau_runs && !names_radau)
         + &error_remark(run)
@@ -224,6 +227,43 @@ fn steps_remark(run: &Run, method: Method) -> String {
     added_up(run, method).map_or(String::new(), |sum| {
         format!("remark: errors of so many steps may add up to {sum:.0e} of one more than each number, before the motion amplifies them\n")
     })
+}
+
+/// Rounding of ten numbers or less is told by no remark.
+const SMALLEST_TOLD: f64 = 10.0 * Tolerance::SMALLEST_RELATIVE;
+
+/// The tolerance that a run can keep, where it is larger than the one that is asked for: by rounding, and by the iteration of the method.
+fn attainable(run: &Run, method: Method) -> Option<f64> {
+    let of_equations = run.monitors.condition.as_ref().map_or(0.0, |condition| condition.rounding);
+    let attainable = of_equations.max(method.iteration_floor());
+    let asked = method.lifted().tolerance()?;
+    (attainable > asked.relative.max(asked.absolute).max(SMALLEST_TOLD)).then_some(attainable)
+}
+
+fn attainable_remark(run: &Run, method: Method) -> String {
+    attainable(run, method).map_or(String::new(), |attainable| {
+        let floor = method.iteration_floor();
+        let why = match floor < attainable {
+            true => "rounding limits accelerations and multipliers",
+            false => "the iteration of the method stops",
+        };
+        format!("remark: the tolerance is not reached: {why} at {attainable:.0e} of one more than each number\n")
+    })
+}
+
+/// Impacts softer than so many tolerances may be errors of the motion.
+const SOFT: f64 = 100.0;
+
+fn impacts_remark(run: &Run, method: Method) -> String {
+    match (run.monitors.softest_impact, method.tolerance()) {
+        (Some(SoftestImpact { speed, .. }), Some(tolerance)) if speed < SOFT * tolerance.absolute => {
+            format!(
+                "remark: the softest impact has {speed:.0e} m/s or rad/s, less than {SOFT} tolerances: number and times of such impacts are not \
+                 reliable\n"
+            )
+        }
+        _ => String::new(),
+    }
 }
 
 fn beside_remark(run: &Run) -> String {

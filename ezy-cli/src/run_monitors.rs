@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use ezy_core::report::table::fixed;
-use ezy_core::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Run};
+use ezy_core::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Run, SoftestImpact};
 
 /// The monitors as JSON; of a run that could not start the same keys, all `null`.
 pub(super) fn monitors_json(monitors: Option<&Monitors>) -> Value {
@@ -23,9 +23,10 @@ pub(super) fn monitors_json(monitors: Option<&Monitors>) -> Value {
             json!({ "balance": joules, "relative": relative, "t": t })
         }),
         "smallest_pivot": monitors.and_then(|m| m.pivot).map(|LeastPivot { value, t }| json!({ "value": value, "t": t })),
-        "condition": condition.map(|ConditionPeak { at_start, largest, pivot, unknown, t }| json!({
-            "at_start": at_start, "largest": largest, "t": t, "smallest_pivot": pivot, "pivot_of": unknown,
+        "condition": condition.map(|ConditionPeak { at_start, largest, pivot, unknown, t, rounding }| json!({
+            "at_start": at_start, "largest": largest, "t": t, "smallest_pivot": pivot, "pivot_of": unknown, "rounding": rounding,
         })),
+        "softest_impact": monitors.and_then(|m| m.softest_impact).map(|SoftestImpact { speed, t }| json!({ "speed": speed, "t": t })),
         "shortest_step": steps_s.map(|[shortest, _]| shortest),
         "longest_step": steps_s.map(|[_, longest]| longest),
     })
@@ -41,6 +42,7 @@ pub(super) fn monitors_text(run: &Run) -> String {
         energy,
         pivot,
         condition,
+        softest_impact,
         steps_s,
     } = &run.monitors;
     let pair = |title: &str, [positions, velocities]: [&Option<Peak>; 2]| {
@@ -69,6 +71,9 @@ pub(super) fn monitors_text(run: &Run) -> String {
             "  condition of the equations: {largest:.1e} (t = {} s, smallest pivot {pivot:.1e}), at the start {at_start:.1e}\n",
             fixed(*t, 6)
         );
+    }
+    if let Some(SoftestImpact { speed, t }) = softest_impact {
+        text += &format!("  softest impact: {speed:.1e} (t = {} s)\n", fixed(*t, 6));
     }
     if let Some([shortest, longest]) = steps_s {
         text += &format!("  steps: {shortest:.1e} s to {longest:.1e} s, {} rejected\n", run.cost.rejected);

@@ -78,7 +78,7 @@ impl<P: SceneRef> Configuration<'_, P> {
     }
 
     /// `[F; −[h; s]]` into the buffer.
-    fn write_right_side(&mut self, v: &[f64]) {
+    pub(super) fn write_right_side(&mut self, v: &[f64]) {
         let System { scene, fixed, factors, sines, .. } = &mut *self.system;
         let (F, gamma) = factors.right_side.split_at_mut(v.len());
         let sines = sines.at(self.q);

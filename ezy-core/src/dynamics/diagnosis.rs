@@ -1,7 +1,7 @@
 //! The part of a system that says what its rows and forces do at a state: which rows depend on each other, and what cannot go on.
 
 use super::tolerances::geometry::TOLERANCE;
-use super::{System, max_abs};
+use super::{Rows, System, max_abs};
 use crate::linalg::{ConditionEstimator, Conditioning};
 use crate::model::{Equations as _, SceneRef};
 
@@ -28,6 +28,30 @@ impl<P: SceneRef> Diagnosis<'_, P> {
         let System { scene, info, fixed, mass, active, buffers, sines, .. } = &mut *self.system;
         scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut buffers.jacobian);
         estimator.estimate(mass, &info.jacobian, &buffers.jacobian, active.off())
+    }
+
+    /// What rounding makes of multipliers that the elimination of the scene finds at a state (`n_q`, `n_v`), relative to one more than each: their difference
+    /// from a solution to the last digits by an estimator that has the factors of this state. Zero where there is no such elimination, or it does not solve.
+    pub(crate) fn rounding_of_multipliers(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        (a, lambda): (&mut [f64], &mut [f64]),
+        estimator: &mut ConditionEstimator,
+    ) -> f64 {
+        if !self.system.at_with(t, q, Rows::Projected).may_eliminate() {
+            return 0.0;
+        }
+        let System { scene, fixed, .. } = &mut *self.system;
+        if !scene.accelerations(fixed, t, q, v, a, lambda).all_keep() {
+            return 0.0;
+        }
+        self.system.at(t, q).write_right_side(v);
+        let exact = &estimator.solution(&self.system.factors.right_side)[a.len()..];
+        let relative = |(exact, found): (&f64, &mut f64)| (exact - *found).abs() / (1.0 + exact.abs());
+        let largest = exact.iter().zip(lambda).map(relative).fold(0.0, f64::max);
+        if largest.is_finite() { largest } else { 0.0 }
     }
 
     /// Work of the largest multiplier over the tolerance of positions, J: a body that is held gains or loses as much by rounding.

@@ -65,8 +65,13 @@ pub(crate) trait Integrator<D, T: Scalar = f64>: Send {
         None
     }
 
-    /// Whether the method finds accelerations itself, by [`Integrator::expand`], and judges a step by those at its end.
+    /// Whether the method finds accelerations itself, by [`Integrator::expand`].
     fn expands(&self) -> bool {
+        false
+    }
+
+    /// Whether the method judges a step by the accelerations at its end, by [`Integrator::refuses`].
+    fn judges_by_end(&self) -> bool {
         false
     }
 

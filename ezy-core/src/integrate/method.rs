@@ -187,6 +187,12 @@ impl Method {
         }
     }
 
+    /// A tolerance below which errors are what the iteration of an implicit method leaves; 0 of others.
+    pub const fn iteration_floor(self) -> f64 {
+        let info = self.kind.info();
+        if info.is_implicit { info.rounding } else { 0.0 }
+    }
+
     /// The method that a run takes: a relative tolerance below [`Tolerance::SMALLEST_RELATIVE`], which is rounding, is lifted to it.
     #[must_use]
     pub fn lifted(self) -> Self {

@@ -227,10 +227,16 @@ pub(crate) mod gauss {
     /// Test: `cross_sweeps_of_a_swing_end_where_they_have_converged_or_do_not`.
     pub(crate) const MAX_SWEEPS: u32 = 50;
 
-    /// A change of the accelerations that sweeps do not make smaller is rounding below this part of them.
+    /// A change of the accelerations that sweeps do not make smaller is rounding below this part of them, and so is what their polynomial lacks.
     /// Unit: share of an acceleration.
     /// Test: `analytic_changes_that_are_rounding_end_sweeps`.
     pub(crate) const ROUNDING: f64 = 1e-12;
+
+    /// What a polynomial lacks at its end is a jump behind its last node from so many times on what its coefficients tell. Of smooth motions these tell it
+    /// within a small factor.
+    /// Unit: 1.
+    /// Test: `analytic_jump_behind_the_last_node_is_seen_at_the_end`.
+    pub(crate) const UNEXPECTED: f64 = 10.0;
 
     /// Quasi-velocities give back the velocities that they are taken from up to the rounding of some ten operations over the smallest pivot: a length, such
     /// as that from a hinge to an axle, which may be a thousandth of the others.

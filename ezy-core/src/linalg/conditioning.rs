@@ -76,6 +76,13 @@ impl ConditionEstimator {
         Conditioning { condition: norm * of_inverse, pivot, row: Some(row) }
     }
 
+    /// K⁻¹ of `right_side` (`n_v + n_c`), refined to the last digits, with the factors of the last estimate, which was finite.
+    pub(crate) fn solution(&mut self, right_side: &[f64]) -> &[f64] {
+        self.x.copy_from_slice(right_side);
+        self.kkt.solve(&mut self.x);
+        &self.x
+    }
+
     /// Largest column sum of D K D.
     fn norm(&mut self, mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> f64 {
         let (n_q, d, sums) = (mass.len(), &self.scale, &mut self.sums);

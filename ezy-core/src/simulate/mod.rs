@@ -28,7 +28,7 @@ pub use inputs::inputs_guard::InputsGuard;
 pub use inputs::now::{Inputs, Now};
 pub(crate) use monitor::processor_time::{IS_KNOWN as PROCESSOR_TIME_IS_KNOWN, processor_time};
 pub use monitor::rank_watch::{RankDeficientInterval, RankRecord};
-pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, LeastPivot, Monitors, Peak};
+pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, LeastPivot, Monitors, Peak, SoftestImpact};
 pub use outcome::{Cost, Outcome, Run, StopReason};
 pub use several::eight_steppers::{EightSteppers, NotTogether};
 pub use several::ensemble::Ensemble;

@@ -118,12 +118,13 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
         let (evaluations, factorizations) = (done.evaluations, done.factorizations);
         let cost = Cost { steps, rejected, evaluations, factorizations, seconds, processor_seconds };
         let (mut events, stiff_since_s) = (self.detector.occurred, self.stepper.stiff_since());
+        let rounding_j = self.stepper.system.diagnosis().work_of_rounding(&self.stepper.now.lambda);
+        let mut monitors = self.watch.monitors(rounding_j);
         if let Some(modes) = self.modes {
+            monitors.softest_impact = modes.softest;
             events.extend(modes.occurred);
             events.sort_by(|a, b| a.state.t.total_cmp(&b.state.t));
         }
-        let rounding_j = self.stepper.system.diagnosis().work_of_rounding(&self.stepper.now.lambda);
-        let monitors = self.watch.monitors(rounding_j);
         if let Some(energy) = monitors.energy
             && outcome.reached_end()
             && !self.watch.trusts(energy, self.stepper.chooses_steps())

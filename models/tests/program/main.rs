@@ -20,6 +20,7 @@ mod periodic;
 mod pictures;
 mod plots;
 mod reactions;
+mod remarks;
 mod run;
 mod scenes;
 mod show;

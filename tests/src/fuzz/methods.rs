@@ -1,8 +1,6 @@
 //! The same motion by every method: what tolerance and the motion's own amplification do not explain is a fault; for RK4, what half the
 //! step does not tell.
 
-use std::ops::Range;
-
 use ezy_core::integrate::PreciseMotion;
 use ezy_core::model::{Name, SceneEntry};
 use ezy_core::prelude::*;
@@ -10,6 +8,10 @@ use ezy_core::simulate::SetupError;
 
 use super::draw::Draw;
 use super::parameters::{Scenes, change};
+pub use super::reference::MARGIN;
+use super::reference::{
+    ABOVE_REFERENCE, Amplification, MOVED, Motion, REFERENCE, Reference, amplification, late, motion, scale,
+};
 use crate::garage::worse;
 
 /// Tolerances that methods are judged at; a random case draws two between the first and the last.
@@ -20,18 +22,8 @@ const DECADES: [f64; 2] = [-12.0, -4.0];
 /// Steps of RK4 over a run.
 const RK4_STEPS: [f64; 2] = [1e3, 1e4];
 
-/// Tolerance of the two references where there is none in double-double: below it a step of DOP853 has one witness, and rounding of Radau
-/// shows.
-const REFERENCE: f64 = 1e-11;
-
-/// Tolerances below this many times that of such references are not judged by them.
-const ABOVE_REFERENCE: f64 = 10.0;
-
 /// Tolerance of the steps that carry RK4 across singular positions: half the step does not change them.
 const CROSSING: f64 = 1e-9;
-
-/// What an error may be, in tolerances times amplification, since steps add up; for RK4, in differences to half the step.
-pub const MARGIN: f64 = 100.0;
 
 /// From so many steps on a run tells that errors of its steps add up to as many tolerances.
 const MANY_STEPS: u64 = 1_000;
@@ -45,13 +37,19 @@ const N_SAMPLES: usize = 32;
 /// Steps times unknowns after which a run is ended: a reference needs some hundred steps, and stiffness is no fault.
 const MOST_NUMBERS: u64 = 200_000;
 
-/// What starts are moved by to see the amplification, of their scale; differences of runs at the tolerance of references are
-/// below a thousandth of it.
-const MOVED: f64 = 1e-8;
-
 /// Starts that are moved at random. One more is faster by the same part: errors of steps add up in the energy, and faster motions drift
 /// apart.
 const N_MOVED: usize = 2;
+
+/// More of them, before a run is called off: two directions of many may miss the one that grows most.
+const N_MOVED_MORE: usize = 30;
+
+/// And at so many places on the way, where other directions may grow than those that the start leads to.
+const N_PLACES: usize = 8;
+const N_MOVED_THERE: usize = 4;
+
+/// A run from a sample goes on as the motion does where the two are apart by at most this part of what a moved start makes.
+const GOES_ON: f64 = 0.1;
 
 /// Motions that amplify more are not compared: differences are no longer linear.
 const LARGEST_AMPLIFICATION: f64 = 1e5;
@@ -78,14 +76,14 @@ pub enum Judgement {
     NoReference,
     /// The method does not apply to the scene.
     NotForIt,
-    /// It amplifies errors too much.
+    /// It amplifies errors too much: by more than 1e5, or so that the bound is a tenth of the motion.
     Amplifies,
     /// Within its bound.
     Right,
     /// It stopped and said why.
     Stopped,
-    /// Beyond its bound, and it says why: it passes beside a singular position, where small errors decide, or energy and works differ by more than the
-    /// tolerance explains.
+    /// Beyond its bound, and it says why: it passes beside a singular position, where small errors decide, energy and works differ by more than the
+    /// tolerance explains, the equations round to more than that, or impacts are softer.
     Doubtful,
     /// Beyond its bound without a word.
     Fault,
@@ -117,42 +115,11 @@ pub struct Fault {
     amplification: f64,
 }
 
-/// What a run computed.
-#[derive(Clone)]
-struct Motion {
-    /// Coordinates, velocities, multipliers and works.
-    samples: Vec<Vec<f64>>,
-    /// Largest energy, which works are relative to, J.
-    energy: f64,
-    /// Times of events, s.
-    events: Vec<f64>,
-    /// Samples in stretches across a singular position, which the run names: at a distance D from it velocities carry errors of
-    /// positions multiplied by 1/D².
-    crosses: Vec<bool>,
-    crosses_any: bool,
-    /// The run remarks that it passes beside a singular position.
-    beside: bool,
-    /// The largest difference of energy and works, relative to the energy turned over.
-    energy_error: f64,
-    n_steps: u64,
-}
-
-/// Ranges of states, multipliers and works in a sample.
-type Parts = [Range<usize>; 3];
-
-/// What runs are compared with.
-struct Reference {
+/// A run with its errors, in tolerances times amplification.
+struct Judged {
     motion: Motion,
-    /// What tolerances are relative to: one more than the largest of each number.
-    scale: Vec<f64>,
-    /// Where the parts of a sample begin: states, multipliers, works.
-    parts: Parts,
-    /// How much errors of a state grow, in each part of later samples.
-    amplification: [f64; 3],
-    /// How much they move events, s for the scale of a number; none where a moved start has more or fewer events.
-    of_events: Option<f64>,
-    /// The smallest tolerance that it can judge.
-    least: f64,
+    excess: f64,
+    of_states: f64,
 }
 
 impl Case {
@@ -217,21 +184,26 @@ impl Case {
     /// Samples of a run that reached its end.
     fn run(&self, scene: &dyn Scene, method: Method) -> Result<Motion, Judgement> {
         match self.order(scene, method).run() {
-            Ok(run) => motion(&run),
+            Ok(run) => motion(&run).ok_or(Judgement::Stopped),
             Err(SetupError::NoSeries { .. } | SetupError::NoJacobians { .. }) => Err(Judgement::NotForIt),
             Err(_) => Err(Judgement::Stopped),
         }
     }
 
-    /// What comes of a start that is moved: `by` says what is added to a number of this size.
-    fn moved(&self, scene: &dyn Scene, start: &[f64], mut by: impl FnMut(usize) -> f64) -> Option<Motion> {
+    /// What comes of a start that is moved: `by` says what is added to a number.
+    fn moved(
+        &self,
+        scene: &dyn Scene,
+        start: &[f64],
+        mut by: impl FnMut(usize) -> f64,
+        [until_s, every_s]: [f64; 2],
+    ) -> Option<Motion> {
         let info = scene.info();
         let names = info.coordinates.iter().chain(&*info.velocities).map(|c| &*c.name);
         let start = names.zip(start).enumerate();
-        let order = start.fold(self.order(scene, Method::dop853(REFERENCE)), |order, (i, (name, value))| {
-            order.start(name, value + MOVED * by(i))
-        });
-        order.run().ok().and_then(|run| motion(&run).ok())
+        let order = self.order(scene, Method::dop853(REFERENCE)).until(until_s).every(every_s);
+        let order = start.fold(order, |order, (i, (name, value))| order.start(name, value + by(i)));
+        order.run().ok().and_then(|run| motion(&run))
     }
 
     /// The motion of `explicit` in double-double; none where the scene has no series, changes its modes, or crosses a singular position.
@@ -268,19 +240,18 @@ impl Case {
         let parts = [0..n_state, n_state..n_state + n_multipliers, n_state + n_multipliers..start.len()];
         scale[parts[2].clone()].iter_mut().for_each(|scale| *scale += explicit.energy);
         let mut draw = Draw::new(self.seed, 1);
-        let faster = self.moved(scene, start, |i| if i < n_state / 2 { 0.0 } else { start[i] });
-        let moved = (0..N_MOVED).map(|_| self.moved(scene, start, |i| scale[i] * draw.between(-1.0, 1.0)));
+        let over = [self.until_s, self.until_s / N_SAMPLES as f64];
+        let faster = self.moved(scene, start, |i| if i < n_state / 2 { 0.0 } else { MOVED * start[i] }, over);
+        let moved =
+            (0..N_MOVED).map(|_| self.moved(scene, start, |i| MOVED * scale[i] * draw.between(-1.0, 1.0), over));
         let moved = std::iter::once(faster).chain(moved).collect::<Option<Vec<Motion>>>();
         let moved = moved.ok_or(Judgement::NoReference)?;
         let grown = moved.iter().map(|moved| amplification(moved, &explicit, &scale, &parts));
-        let (amplification, of_events) = grown.fold(([1.0; 3], Some(1.0)), |most, grown| {
-            let of_events = most.1.zip(grown.1).map(|(most, grown)| worse(most, grown));
-            ([0, 1, 2].map(|i| worse(most.0[i], grown.0[i])), of_events)
-        });
-        if amplification[0] > LARGEST_AMPLIFICATION {
+        let amplification = grown.fold(Amplification::NONE, Amplification::max);
+        if amplification.of_states() > LARGEST_AMPLIFICATION {
             return Err(Judgement::Amplifies);
         }
-        let reference = |motion, least| Reference { motion, scale, parts, amplification, of_events, least };
+        let reference = |motion, least| Reference { motion, scale, parts, amplification, is_wide: false, least };
         if let Some(precise) = self.precise(scene, &explicit) {
             let reference = reference(precise, 0.0);
             // works and events have no other; and amplification is not what small moves of the start tell where the motion all but branches
@@ -310,28 +281,33 @@ impl Case {
             n_steps: 0,
             n_skipped: 0,
         };
-        let reference = match self.reference(scene) {
+        let mut reference = match self.reference(scene) {
             Ok(reference) => reference,
             Err(judgement) => {
                 tell(told(Method::dop853(REFERENCE), judgement, f64::NAN, f64::NAN));
                 return Vec::new();
             }
         };
-        let amplification = reference.amplification[0];
         let mut faults = Vec::new();
-        let mut judge = |method: Method, outcome: Result<(Motion, f64), Judgement>| {
-            let (motion, excess) = match outcome {
+        let mut judge = |method: Method, amplification: f64, outcome: Result<Judged, Judgement>| {
+            let Judged { motion, excess, of_states } = match outcome {
                 Ok(judged) => judged,
                 Err(judgement) => return tell(told(method, judgement, f64::NAN, amplification)),
             };
             let told_by_run = if motion.n_steps > MANY_STEPS { motion.n_steps as f64 } else { MARGIN };
             let is_right = excess <= told_by_run;
             // from here on `ezy run` remarks on the energy
-            let explained =
-                MARGIN.max(motion.n_steps as f64) * method.tolerance().map_or(f64::INFINITY, |t| t.relative);
+            let tolerance = method.tolerance().map_or(f64::INFINITY, |t| t.relative);
+            let explained = MARGIN.max(motion.n_steps as f64) * tolerance;
+            let attainable = motion.rounding.max(method.iteration_floor()).max(tolerance);
+            let is_rounding = excess * tolerance <= told_by_run * attainable;
+            // a soft impact more or less hardly moves the bodies
+            let is_soft = method.tolerance().is_some_and(|t| motion.softest < MARGIN * t.absolute);
+            let is_soft = is_soft && of_states <= told_by_run;
+            let remarks = motion.beside || motion.energy_error > explained || is_rounding || is_soft;
             let judgement = match is_right {
                 true => Judgement::Right,
-                false if motion.beside || motion.energy_error > explained => Judgement::Doubtful,
+                false if remarks => Judgement::Doubtful,
                 false => Judgement::Fault,
             };
             if judgement == Judgement::Fault {
@@ -344,17 +320,18 @@ impl Case {
             for method in [Method::dop853, Method::taylor, Method::gauss, Method::radau] {
                 let method = method(tolerance);
                 if tolerance < reference.least {
-                    judge(method, Err(Judgement::NoReference));
+                    judge(method, reference.amplification.of_states(), Err(Judgement::NoReference));
                     continue;
                 }
-                let run = self.run(scene, method);
-                judge(
-                    method,
-                    run.map(|motion| {
-                        let excess = reference.excess(&motion, tolerance);
-                        (motion, excess)
-                    }),
-                );
+                let judged = self.run(scene, method).and_then(|motion| {
+                    let excess = self.excess(scene, &mut reference, &motion, tolerance);
+                    let of_states = reference.apart(&motion, &reference.motion) / reference.amplification.of_states();
+                    let of_states = of_states / tolerance;
+                    let amplifies = excess > MARGIN && reference.branches(&motion, tolerance);
+                    let is_known = !amplifies && reference.amplification.of_states() <= LARGEST_AMPLIFICATION;
+                    if is_known { Ok(Judged { motion, excess, of_states }) } else { Err(Judgement::Amplifies) }
+                });
+                judge(method, reference.amplification.of_states(), judged);
             }
         }
         for n in RK4_STEPS {
@@ -364,36 +341,110 @@ impl Case {
                 let finer = self.run(scene, finer).map_err(|_| Judgement::NoReference)?;
                 let least = if motion.crosses_any { CROSSING } else { REFERENCE };
                 let told = reference.error(&motion, &finer).max(least);
-                let excess = reference.error(&motion, &reference.motion) / told;
-                Ok((motion, excess))
+                // more events or fewer with half the step tell that either is wrong
+                let excess = if told.is_finite() { reference.error(&motion, &reference.motion) / told } else { 1.0 };
+                Ok(Judged { motion, excess, of_states: f64::NAN })
             });
-            judge(method, run);
+            judge(method, reference.amplification.of_states(), run);
         }
         faults
     }
-}
 
-impl Reference {
-    /// The largest difference of two runs over what errors of states grow to, of the scale of each number, or of times of events.
-    fn error(&self, a: &Motion, b: &Motion) -> f64 {
-        let [of_motion, of_rest] = self.errors(a, b);
-        worse(of_motion, of_rest)
+    /// The error of a run in tolerances times amplification; where it is beyond the bound, by all that tells of amplification.
+    fn excess(&self, scene: &dyn Scene, reference: &mut Reference, motion: &Motion, tolerance: f64) -> f64 {
+        let is_right = |excess: f64| excess <= MARGIN;
+        let excess = reference.excess(motion, tolerance);
+        if is_right(excess) {
+            return excess;
+        }
+        let start = reference.motion.samples[0].clone();
+        let [mut draw, mut draw_off] = [2, 3].map(|part| Draw::new(self.seed, part));
+        let mut moved = |size: f64, reference: &Reference| {
+            let over = [self.until_s, self.until_s / N_SAMPLES as f64];
+            self.moved(scene, &start, |i| size * reference.scale[i] * draw.between(-1.0, 1.0), over)
+        };
+        if !std::mem::replace(&mut reference.is_wide, true) {
+            for _ in 0..N_MOVED_MORE {
+                let Some(moved) = moved(MOVED, reference) else { continue };
+                let grown = amplification(&moved, &reference.motion, &reference.scale, &reference.parts);
+                reference.amplification = reference.amplification.max(grown);
+            }
+            let mut parts = [1.0, self.of_multipliers(scene, reference, &mut draw_off).unwrap_or(1.0), 1.0];
+            for grown in self.on_the_way(scene, reference, &mut draw_off) {
+                parts = [0, 1, 2].map(|i| worse(parts[i], grown[i]));
+            }
+            reference.amplification = reference.amplification.max(Amplification { parts, ..Amplification::NONE });
+        }
+        let excess = reference.excess(motion, tolerance);
+        if is_right(excess) || late(motion, &reference.motion).is_finite() {
+            return excess;
+        }
+        // a knock too soft, or a limit hardly passed: errors within the bound make more events, or fewer
+        let is_settled = (0..N_MOVED_MORE)
+            .filter_map(|_| moved(MARGIN * tolerance, reference))
+            .all(|moved| late(&moved, &reference.motion).is_finite());
+        if is_settled { excess } else { reference.excess_but_for_events(motion, tolerance) }
     }
 
-    /// The same of states and multipliers, and of works and events.
-    fn errors(&self, a: &Motion, b: &Motion) -> [f64; 2] {
-        let of_events = self.of_events.map_or(0.0, |grown| late(a, b) / grown);
-        differences(a, b, &self.scale, &self.parts).fold([0.0, of_events], |most, apart| {
-            let [state, multipliers, works] = [0, 1, 2].map(|i| apart[i] / self.amplification[i]);
-            [worse(worse(most[0], state), multipliers), worse(most[1], works)]
-        })
+    /// How much errors that are made on the way grow, of motions that go on from a sample as from a start: those without a clock, modes and first-order states.
+    fn on_the_way(&self, scene: &dyn Scene, reference: &Reference, draw: &mut Draw) -> Vec<[f64; 3]> {
+        let Reference { motion, scale, parts, .. } = reference;
+        let mut found = Vec::new();
+        for place in (1..N_PLACES).map(|i| i * N_SAMPLES / N_PLACES) {
+            let until_s = self.until_s * (1.0 - place as f64 / N_SAMPLES as f64);
+            let Some(start) = motion.samples.get(place) else { break };
+            let rest = Motion {
+                samples: motion.samples[place..].to_vec(),
+                crosses: motion.crosses[place..].to_vec(),
+                ..motion.clone()
+            };
+            // works begin anew
+            let parts = [parts[0].clone(), parts[1].clone(), 0..0];
+            let every_s = self.until_s / N_SAMPLES as f64;
+            let mut go_on = |size: f64| {
+                let by = |i: usize| size * scale[i] * draw.between(-1.0, 1.0);
+                let moved = self.moved(scene, start, by, [until_s, every_s])?;
+                Some((reference.apart(&moved, &rest), amplification(&moved, &rest, scale, &parts).parts))
+            };
+            let Some((unmoved, _)) = go_on(0.0) else { continue };
+            let moved = (0..N_MOVED_THERE).filter_map(|_| go_on(MOVED));
+            found.extend(moved.filter(|(moved, _)| unmoved <= GOES_ON * moved).map(|(_, parts)| parts));
+        }
+        found
     }
 
-    /// The error of a run in tolerances times amplification. Works and events have no reference in double-double.
-    fn excess(&self, motion: &Motion, tolerance: f64) -> f64 {
-        let [of_motion, of_rest] = self.errors(motion, &self.motion);
-        let known = tolerance >= ABOVE_REFERENCE * REFERENCE;
-        (if known { worse(of_motion, of_rest) } else { of_motion }) / tolerance
+    /// How much multipliers grow by errors of the states that they belong to, which obey the rows to 1e-12 alone; none where rows are switched, or
+    /// multipliers at such a state cannot be computed.
+    fn of_multipliers(&self, scene: &dyn Scene, reference: &Reference, draw: &mut Draw) -> Option<f64> {
+        let info = scene.info();
+        if !info.switches.is_empty() {
+            return None;
+        }
+        let mut system = System::new(scene, Backend::Auto).ok()?;
+        let Reference { motion, scale, parts: [of_states, of_multipliers, _], .. } = reference;
+        let mut multipliers = |t: f64, state: &[f64], z: &[f64]| {
+            let (q, v) = state.split_at(info.n_coordinates());
+            system.place_states(z);
+            let (mut a, mut lambda) = (vec![0.0; v.len()], vec![0.0; info.n_rows()]);
+            system.accelerations(t, q, v, &mut a, &mut lambda).ok().map(|_| lambda)
+        };
+        let mut most = 1.0;
+        for (i, sample) in motion.samples.iter().enumerate() {
+            let t = self.until_s * i as f64 / N_SAMPLES as f64;
+            let state = &sample[of_states.clone()];
+            let z = &motion.states[i];
+            let there = multipliers(t, state, z)?;
+            for _ in 0..N_MOVED_MORE {
+                let moved = state.iter().zip(scale).map(|(x, scale)| x + MOVED * scale * draw.between(-1.0, 1.0));
+                let moved = moved.collect::<Vec<_>>();
+                let z: Vec<f64> = z.iter().map(|z| z + MOVED * draw.between(-1.0, 1.0)).collect();
+                let moved = multipliers(t, &moved, &z)?;
+                let grown =
+                    there.iter().zip(&moved).zip(&scale[of_multipliers.clone()]).map(|((x, y), scale)| (x - y) / scale);
+                most = grown.map(|grown| grown.abs() / MOVED).fold(most, worse);
+            }
+        }
+        Some(most)
     }
 }
 
@@ -452,69 +503,4 @@ impl Case {
         given.iter().for_each(|(name, value)| line += &format!(" --start {name}={value:e}"));
         line
     }
-}
-
-/// What a run that reached its end computed.
-fn motion(run: &Run) -> Result<Motion, Judgement> {
-    match run.outcome {
-        Outcome::ReachedEnd | Outcome::ReachedEvent { .. } => {
-            // a sample at an event is at another time in each run
-            let n = run.samples().len() - usize::from(matches!(run.outcome, Outcome::ReachedEvent { .. }));
-            let crosses =
-                |t: f64| run.rank.crossings.iter().any(|crossed| (crossed.from_s..=crossed.to_s).contains(&t));
-            Ok(Motion {
-                samples: run
-                    .samples()
-                    .take(n)
-                    .map(|sample| [sample.coordinates, sample.velocities, sample.multipliers, sample.work].concat())
-                    .collect(),
-                energy: run
-                    .samples()
-                    .fold(0.0, |most: f64, sample| most.max(sample.energy.kinetic + sample.energy.potential.abs())),
-                events: run.events().iter().map(|occurred| occurred.state.t).collect(),
-                crosses: run.samples().take(n).map(|sample| crosses(sample.t)).collect(),
-                crosses_any: !run.rank.crossings.is_empty(),
-                beside: run.rank.crossings.iter().any(|crossed| crossed.is_beside()),
-                energy_error: run.monitors.energy.map_or(0.0, |energy| energy.relative),
-                n_steps: run.cost.steps + run.cost.rejected,
-            })
-        }
-        _ => Err(Judgement::Stopped),
-    }
-}
-
-/// What tolerances are relative to: one more than the largest of each number.
-fn scale(reference: &Motion) -> Vec<f64> {
-    let largest = |i: usize| reference.samples.iter().fold(0.0, |m: f64, sample| m.max(sample[i].abs()));
-    (0..reference.samples[0].len()).map(|i| 1.0 + largest(i)).collect()
-}
-
-/// The largest differences of states, multipliers and works in each pair of samples that can be compared, of their scale; NaN where one is none.
-fn differences(a: &Motion, b: &Motion, scale: &[f64], parts: &Parts) -> impl Iterator<Item = [f64; 3]> {
-    let pairs = a.samples.iter().zip(&b.samples).zip(a.crosses.iter().zip(&b.crosses));
-    pairs.filter(|(_, (a, b))| !*a && !*b).map(move |((a, b), _)| {
-        parts.clone().map(|range| range.fold(0.0, |m: f64, i| worse(m, (a[i] - b[i]) / scale[i])))
-    })
-}
-
-/// The largest difference of times of events, s; infinite where there are more or fewer.
-fn late(a: &Motion, b: &Motion) -> f64 {
-    if a.events.len() != b.events.len() {
-        return f64::INFINITY;
-    }
-    a.events.iter().zip(&b.events).map(|(a, b)| a - b).fold(0.0, worse)
-}
-
-/// How much a difference of states grows, from the move of the start, and from any sample to any later one: in states, in multipliers and in
-/// works, and in times of events, where these are as many.
-fn amplification(moved: &Motion, reference: &Motion, scale: &[f64], parts: &Parts) -> ([f64; 3], Option<f64>) {
-    let (mut least, mut most) = (MOVED, [1.0_f64; 3]);
-    for [state, others @ ..] in differences(moved, reference, scale, parts) {
-        let state = state.max(REFERENCE);
-        least = least.min(state);
-        let [multipliers, works] = others.map(|other| other / least);
-        most = [most[0].max(state / least), most[1].max(multipliers), most[2].max(works)];
-    }
-    let late = late(moved, reference);
-    (most, late.is_finite().then_some(late / least))
 }

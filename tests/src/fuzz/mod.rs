@@ -8,6 +8,7 @@ pub mod methods;
 mod motion;
 mod oracle;
 mod parameters;
+mod reference;
 mod tally;
 
 pub use parameters::{Scenes, compare, trial};

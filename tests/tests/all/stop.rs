@@ -2,7 +2,7 @@
 
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
-use ezy_core::simulate::{Cost, Monitors, SetupError, StopReason};
+use ezy_core::simulate::{Cost, Monitors, SetupError, SoftestImpact, StopReason};
 use nalgebra::{DMatrix, DVector};
 
 /// Landings are located to 1e-12 s, and each bounce goes on from the last one; methods keep to 1e-12.
@@ -317,6 +317,12 @@ fn analytic_puck_goes_to_and_fro_between_two_ends() {
         assert_eq!(hits.len(), expected.len(), "{}", run.outcome);
         assert!(hits.iter().zip(expected).all(|(t, expected)| (t - expected).abs() <= LOCATED_S), "{hits:?}");
         assert!((run.last().get("puck.vx").unwrap() + 0.512).abs() <= LOCATED_S);
+        // each leaves eight tenths
+        let softest = run.monitors.softest_impact.unwrap();
+        assert!(
+            (softest.speed - 0.64).abs() <= LOCATED_S && (softest.t - expected[2]).abs() <= LOCATED_S,
+            "{softest:?}"
+        );
     }
 }
 
@@ -383,6 +389,10 @@ fn invariant_ball_that_bounces_on_a_shaking_table_stays_above_it() {
 fn analytic_start_that_moves_into_a_stop_begins_with_an_impact() {
     let run = Simulation::new(&stone::ThrownDown::default()).method(Method::dop853(1e-12)).work().run().unwrap();
     assert_eq!(times(&run, "ground_below hits"), [0.0]);
+    assert_eq!(run.monitors.softest_impact, Some(SoftestImpact { speed: 6.0, t: 0.0 }));
+    // a speed that is rounding is none
+    let stands = Simulation::new(&stone::ThrownDown::default()).start("stone.vy", -1e-15).run().unwrap();
+    assert_eq!(stands.monitors.softest_impact, None);
     // 3 m/s upwards for 0.5 s
     assert!((run.last().get("stone.y").unwrap() - 0.25).abs() <= LOCATED_S);
     assert!((run.first().energy.kinetic - 36.0).abs() <= BALANCE_J && run.last().energy.balance.abs() <= BALANCE_J);

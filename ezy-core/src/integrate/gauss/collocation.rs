@@ -22,6 +22,8 @@ pub(crate) struct Collocation {
     /// Length of the next step, s; none before the first.
     step_s: Option<f64>,
     rejected: u64,
+    /// Whether the last step was cut for a discontinuity: at its end forces may be those behind it.
+    is_cut: bool,
     /// Error of the polynomial of the last step, over the tolerance.
     dense_error: f64,
 }
@@ -49,7 +51,15 @@ impl Family for Collocation {
     ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
         let method = Gauss::new(system.scene(), n_works);
         let control = GaussControl::default();
-        Ok(Some(Box::new(Self { method, control, tolerance, step_s: None, rejected: 0, dense_error: 0.0 })))
+        Ok(Some(Box::new(Self {
+            method,
+            control,
+            tolerance,
+            step_s: None,
+            rejected: 0,
+            is_cut: false,
+            dense_error: 0.0,
+        })))
     }
 }
 
@@ -137,6 +147,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
                         if error <= 1.0 {
                             to.t = t_next;
                             self.dense_error = dense_error;
+                            self.is_cut = whole.is_some();
                             // one that was cut short says little of the next
                             let shortest = if h < length { length } else { 0.0 };
                             self.step_s = Some(whole.unwrap_or((h * factor).max(shortest)));
@@ -156,6 +167,25 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
             }
             self.rejected += 1;
         }
+    }
+
+    fn judges_by_end(&self) -> bool {
+        true
+    }
+
+    fn refuses(&mut self, from: Node<'_>, to: Node<'_>) -> bool {
+        let (t, h) = (from.state.t, to.state.t - from.state.t);
+        let error = self.method.error_by_end(to.a);
+        if error <= 1.0 || self.is_cut {
+            return false;
+        }
+        let shorter = h * self.control.factor(error, 0.0);
+        let refuses = !is_too_short(t, shorter);
+        if refuses {
+            self.step_s = Some(shorter);
+            self.rejected += 1;
+        }
+        refuses
     }
 
     fn remember(&mut self, _system: &mut System<P>, archive: &mut Archive) {

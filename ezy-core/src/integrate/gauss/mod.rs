@@ -3,6 +3,7 @@
 mod collocation;
 mod control;
 mod convergence;
+mod errors;
 mod lanes;
 mod quasi;
 mod tableau;
@@ -10,20 +11,15 @@ mod tableau;
 use super::{Node, compensated, step_control::Tolerance};
 use crate::archive::Archive;
 use crate::dynamics::{EightStates, MotionError, State, System};
-use crate::integrate::tolerances::gauss::{FIRST_CHANGE, OF_SWEEPS};
+use crate::integrate::tolerances::gauss::FIRST_CHANGE;
 use crate::model::{Eight, Scene, SceneRef};
-use crate::scalar::{Lanes, Scalar};
+use crate::scalar::Scalar;
 pub(crate) use collocation::Collocation;
 use control::GaussControl;
 use convergence::{Convergence, Sweeps};
+use errors::{error_at_end, error_of_slopes, next_coefficient};
 use quasi::QuasiSweeps;
 use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, legendre, weights_up_to};
-
-/// Legendre polynomials at the start of a step.
-const AT_START: Eight = Lanes([1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0]);
-
-/// 15!! = 15 · 13 · … · 1
-const DOUBLE_FACTORIAL_OF_15: f64 = 2_027_025.0;
 
 /// What became of a step that was tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -164,6 +160,12 @@ impl Gauss {
     /// The smallest pivot at the nodes of the step that was tried last; infinite where accelerations were not eliminated.
     pub(crate) fn smallest_pivot(&self) -> f64 {
         self.nodes.smallest_pivot
+    }
+
+    /// The error of the end of the step that was tried last, over the tolerance, by the accelerations there. A force that changes between the last node and
+    /// the end is seen by nothing else.
+    pub(crate) fn error_by_end(&self, accelerations: &[f64]) -> f64 {
+        error_at_end(&self.coefficients, &self.weights, &self.sizes, accelerations)
     }
 
     /// Keeps the step that was tried last.
@@ -365,54 +367,6 @@ fn write_weights(from: &State, h: f64, tolerance: Tolerance, weights: &mut [f64]
     }
 }
 
-/// The error of the end of a step over the tolerance, and the size of the Legendre coefficient of degree 8 of its slopes.
-///
-/// Between the nodes the equations are not met: by the polynomial P_8 times the coefficient that comes next, and what follows. The
-/// end of the step is off by the integral of that, times what a change of a slope at each time makes of the end. That factor
-/// is smooth, too, so that P_8 sees of it only its own coefficient of degree 8: of the linear motion z^8/(2^8 15!!), of the change of its
-/// rate over the step as much as of the slopes of the number that is least smooth, and where slopes do not depend on the state what their own
-/// coefficients leave.
-///
-/// The slopes at the start of the step are known: what the polynomial lacks there is the sum of all coefficients to come. Where
-/// it is more than predicted, coefficients fall as much more slowly.
-fn error_of_slopes(
-    coefficients: &[Eight],
-    weights: &[f64],
-    sizes: &[f64; N],
-    at_start: &[f64],
-    steepness: f64,
-) -> [f64; 2] {
-    let (mut next, mut decay) = next_coefficient(sizes);
-    let (mut defect, mut part) = (0.0_f64, 0.0_f64);
-    for ((coefficients, weight), at_start) in coefficients.iter().zip(weights).zip(at_start) {
-        defect = defect.max(weight * (lanes::sum(&AT_START, coefficients) - at_start).abs());
-        let sizes = (coefficients.abs() * Eight::from_f64(*weight)).0;
-        // what changes a number by less than its tolerance changes no other
-        let largest = sizes.iter().copied().fold(1.0, f64::max);
-        part = part.max(next_coefficient(&sizes).0 / largest);
-    }
-    // sweeps leave a part of the tolerance
-    defect -= OF_SWEEPS;
-    if defect > next {
-        decay = (decay * defect / next.max(f64::MIN_POSITIVE)).min(1.0);
-        next = defect;
-    }
-    let linear = (0.5 * steepness).powi(N as i32) / DOUBLE_FACTORIAL_OF_15;
-    let seen = linear + steepness * part + decay.powi(N as i32);
-    [next * seen / (2.0 * N as f64 + 1.0), next]
-}
-
-/// The size of the Legendre coefficient of degree 8, which is not known, from those of lower degrees: each is smaller by the same factor, which
-/// stands behind it, or by a factor that grows as it did, where a force is less smooth than what stands out in the first coefficients. Those of even or
-/// odd degree may be small by symmetry.
-fn next_coefficient(sizes: &[f64; N]) -> (f64, f64) {
-    let [first, earlier, later] = [2, 4, 6].map(|m| sizes[m].max(sizes[m + 1]));
-    let decay_of = |from: f64, to: f64| if from > to { (to / from).sqrt() } else { 1.0 };
-    let (before, last) = (decay_of(first, earlier), decay_of(earlier, later));
-    let decay = if last > before { (last * last / before).min(1.0) } else { last };
-    (decay * sizes[7].max(decay * sizes[6]), decay)
-}
-
 /// The degree up to which Legendre coefficients of these sizes are worth continuing over a step so many times as long as their own: as long as
 /// terms fall. Those of even or odd degree may be small by symmetry.
 fn useful_degree(sizes: &[f64; N], length: f64) -> usize {
@@ -519,65 +473,4 @@ mod tests {
 
     /// Rounding of some twenty operations.
     const ROUNDING_OF_SUMS: f64 = 1e-14;
-
-    /// Legendre coefficients that fall by `decay` from the last one, of this size.
-    fn falling(decay: f64, last: f64) -> [f64; N] {
-        std::array::from_fn(|m| last * decay.powi(m as i32 - (N as i32 - 1)))
-    }
-
-    #[test]
-    fn analytic_coefficients_that_fall_by_a_factor_go_on_so() {
-        let (next, decay) = next_coefficient(&falling(0.1, 4.0));
-        assert!((next / 0.4 - 1.0).abs() <= ROUNDING_OF_SUMS && (decay / 0.1 - 1.0).abs() <= ROUNDING_OF_SUMS);
-    }
-
-    /// From 1e6 over 1 to 1e-3 in steps of two degrees: by 1e-3, then by 10^-1.5 a degree. The latter is 10^1.5 times as large as the one before, and
-    /// the next one would be 1.
-    #[test]
-    fn analytic_coefficients_that_fall_ever_more_slowly_go_on_so() {
-        let sizes = [1e9, 1e9, 1e6, 1e6, 1.0, 1.0, 1e-3, 1e-3];
-        let (next, decay) = next_coefficient(&sizes);
-        assert!((decay - 1.0).abs() <= ROUNDING_OF_SUMS, "{decay}");
-        assert!((next / 1e-3 - 1.0).abs() <= ROUNDING_OF_SUMS, "{next}");
-    }
-
-    /// A slope of c · P_8 is 0 at all nodes and c at the start.
-    #[test]
-    fn analytic_slope_that_vanishes_at_all_nodes_is_seen_at_the_start() {
-        let zero = [Eight::from_f64(0.0)];
-        let [error, next] = error_of_slopes(&zero, &[1.0], &[0.0; N], &[1e3], 0.0);
-        assert!((next / (1e3 - 0.1) - 1.0).abs() <= ROUNDING_OF_SUMS, "{next}");
-        // nothing says that what follows is smaller
-        assert!((error / (next / 17.0) - 1.0).abs() <= ROUNDING_OF_SUMS, "{error}");
-    }
-
-    /// A light number whose coefficients do not fall, beside a heavy one a million times as large whose coefficients do.
-    #[test]
-    fn invariant_fast_number_beside_slow_heavy_ones_counts() {
-        let heavy = Lanes(falling(0.01, 1e-6));
-        let light = Lanes(falling(0.5, 1e3));
-        let weights = [1.0, 1.0];
-        let both = [heavy, light];
-        let start = both.map(|coefficients| lanes::sum(&AT_START, &coefficients));
-        let error = |coefficients: &[Eight]| {
-            error_of_slopes(coefficients, &weights, &lanes::sizes(coefficients, &weights), &start, 1.0)[0]
-        };
-        // of its own coefficient of degree 8 over its first one, 2^-8, the end sees the 17th part, times what comes next: 500
-        assert!(error(&both) >= 500.0 * 0.5_f64.powi(8) / 17.0, "{}", error(&both));
-    }
-
-    /// Changes of the state by less than the tolerance make no step shorter, be they as rough as rounding.
-    #[test]
-    fn invariant_number_that_hardly_moves_does_not_count() {
-        let smooth = Lanes(falling(0.01, 1e3));
-        let rough = Lanes([1e-9; N]);
-        let error = |coefficients: &[Eight]| {
-            let start: Vec<f64> = coefficients.iter().map(|of| lanes::sum(&AT_START, of)).collect();
-            let weights = vec![1.0; coefficients.len()];
-            error_of_slopes(coefficients, &weights, &lanes::sizes(coefficients, &weights), &start, 1.0)[0]
-        };
-        let more = error(&[smooth, rough]) - error(&[smooth]);
-        // of the smooth one 1e3 · 0.01 comes next; relative to its own size the rough number would add 10/17
-        assert!(more <= 10.0 * 1e-9 / 17.0 * (1.0 + ROUNDING_OF_SUMS), "{more}");
-    }
 }

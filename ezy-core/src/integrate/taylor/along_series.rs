@@ -108,6 +108,10 @@ impl<P: SceneRef> Integrator<System<P>> for AlongSeries {
         true
     }
 
+    fn judges_by_end(&self) -> bool {
+        true
+    }
+
     fn expand(
         &mut self,
         system: &mut System<P>,

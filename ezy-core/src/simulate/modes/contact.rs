@@ -9,10 +9,10 @@ use super::{Modes, stick_slip};
 use crate::dynamics::{MotionError, System, SystemRow};
 use crate::integrate::resolution_at;
 use crate::model::{Derived as _, EventInfo, SceneRef, StopInfo};
-use crate::simulate::SetupError;
 use crate::simulate::events::{EventFunction, laws};
 use crate::simulate::stepping::stepper_state::StepperState;
 use crate::simulate::tolerances::modes::{LOWEST_FLIGHT, SHORTEST_FLIGHT};
+use crate::simulate::{SetupError, SoftestImpact};
 
 pub(super) const FREE: usize = 0;
 
@@ -49,6 +49,7 @@ pub(super) fn start<P: SceneRef>(
     if stands {
         modes.change(i, stepper)?;
         modes.occurred.clear();
+        modes.softest = None;
     }
     modes.rows[i].is_due = !stands && rate < 0.0;
     Ok(())
@@ -122,6 +123,9 @@ fn arrive<P: SceneRef>(
     let comes = rate < 0.0;
     if comes {
         modes.tell(&info.hits[end], stepper);
+        if modes.softest.is_none_or(|softest| -rate < softest.speed) {
+            modes.softest = Some(SoftestImpact { speed: -rate, t: stepper.now.state.t });
+        }
     }
     let e = if comes { restitution } else { 0.0 };
     modes.attempt(stepper, |modes, stepper| land(modes, i, info, end, e, stepper))

@@ -3,10 +3,10 @@
 mod contact;
 mod stick_slip;
 
-use super::SetupError;
 use super::events::{EventDetector, Occurrence};
 use super::recording::sampler::Sliding;
 use super::stepping::stepper_state::StepperState;
+use super::{SetupError, SoftestImpact};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::resolution_at;
 use crate::model::{EventInfo, SceneRef, StopInfo};
@@ -42,6 +42,7 @@ pub(super) struct Modes {
     /// Steps that were made and discarded.
     pub n_taken_back: u64,
     pub occurred: Vec<Occurrence>,
+    pub softest: Option<SoftestImpact>,
 }
 
 /// How a step ends.
@@ -66,7 +67,7 @@ impl Modes {
                 SwitchedRow { law, row, mode: 0, detector, begins: false, is_due: false }
             })
             .collect();
-        (!rows.is_empty()).then(|| Self { rows, n_taken_back: 0, occurred: Vec::new() })
+        (!rows.is_empty()).then(|| Self { rows, n_taken_back: 0, occurred: Vec::new(), softest: None })
     }
 
     /// The skates that slide.

@@ -19,6 +19,9 @@ pub struct ConditionPeak {
     pub unknown: Option<Name>,
     /// Time of that state, s.
     pub t: f64,
+    /// What rounding makes of accelerations or multipliers at most, relative to one more than each: the condition times the rounding of a number, or the
+    /// difference of a multiplier from a solution to the last digits. A smaller tolerance is not kept. Not looked at where constraints depend on each other.
+    pub rounding: f64,
 }
 
 impl ConditionPeak {
@@ -35,6 +38,8 @@ impl ConditionPeak {
 /// The estimates of a run under way.
 pub(super) struct ConditionWatch {
     estimator: ConditionEstimator,
+    /// Accelerations and multipliers.
+    found: [Vec<f64>; 2],
     /// Rows at the start.
     n_rows: usize,
     n_between: u64,
@@ -50,11 +55,26 @@ impl ConditionWatch {
             return None;
         }
         let mut estimator = system.diagnosis().condition_estimator();
-        let found = system.diagnosis().conditioning(start.t, &start.q, &mut estimator);
-        let at_start = found.condition;
-        let mut peak = ConditionPeak { at_start, largest: at_start, pivot: found.pivot, unknown: None, t: start.t };
-        peak.see(system.info(), found, start.t);
-        Some(Box::new(Self { estimator, n_rows, n_between: FEWEST_BETWEEN.max((n * n) as u64), peak }))
+        let conditioning = system.diagnosis().conditioning(start.t, &start.q, &mut estimator);
+        let Conditioning { condition: at_start, pivot, .. } = conditioning;
+        let peak = ConditionPeak { at_start, largest: at_start, pivot, unknown: None, t: start.t, rounding: 0.0 };
+        let found = [start.v.len(), system.info().n_rows()].map(|n| vec![0.0; n]);
+        let n_between = FEWEST_BETWEEN.max((n * n) as u64);
+        let mut watch = Box::new(Self { estimator, found, n_rows, n_between, peak });
+        watch.peak.see(system.info(), conditioning, start.t);
+        watch.see_rounding(system, start, at_start);
+        Some(watch)
+    }
+
+    fn see_rounding<P: SceneRef>(&mut self, system: &mut System<P>, state: &State, condition: f64) {
+        if !condition.is_finite() {
+            return;
+        }
+        let Self { estimator, found: [a, lambda], peak, .. } = self;
+        let State { t, q, v, z, .. } = state;
+        system.place_states(z);
+        let of_multipliers = system.diagnosis().rounding_of_multipliers(*t, q, v, (a, lambda), estimator);
+        peak.rounding = peak.rounding.max(of_multipliers).max(condition * f64::EPSILON);
     }
 
     /// Estimates after step `n_steps` when it is due, or at the end; only with the constraints of the start.
@@ -63,9 +83,11 @@ impl ConditionWatch {
             return;
         }
         let found = system.diagnosis().conditioning(state.t, &state.q, &mut self.estimator);
-        if found.condition > self.peak.largest {
+        let condition = found.condition;
+        if condition > self.peak.largest {
             self.peak.see(system.info(), found, state.t);
         }
+        self.see_rounding(system, state, condition);
     }
 }
 

@@ -39,6 +39,8 @@ pub struct Monitors {
     pub pivot: Option<LeastPivot>,
     /// Condition of the equations of motion; none without rows, and in scenes of more than 200 unknowns.
     pub condition: Option<ConditionPeak>,
+    /// The softest impact on a stop; none without impacts.
+    pub softest_impact: Option<SoftestImpact>,
     /// Shortest and longest step, s; none in a run without a step. The shortest may be what was left to the end.
     pub steps_s: Option<[f64; 2]>,
 }
@@ -48,6 +50,15 @@ pub struct Monitors {
 pub struct LeastPivot {
     /// The pivot, relative to what it started from; zero where constraints depended on each other.
     pub value: f64,
+    /// Its time, s.
+    pub t: f64,
+}
+
+/// The impact of the smallest speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoftestImpact {
+    /// Speed of approach, m/s or rad/s.
+    pub speed: f64,
     /// Its time, s.
     pub t: f64,
 }

@@ -138,7 +138,7 @@ impl Watch {
         chooses_steps || self.limits.energy_error.is_finite() || energy.may_be_of_fixed_steps()
     }
 
-    /// What was watched. An energy balance below `rounding_j`, J, is rounding.
+    /// What was watched, beside impacts. An energy balance below `rounding_j`, J, is rounding.
     pub(crate) fn monitors(&self, rounding_j: f64) -> Monitors {
         let without_rounding = |energy: EnergyError| match energy.joules.abs() <= rounding_j {
             true => EnergyError { relative: 0.0, ..energy },
@@ -152,6 +152,7 @@ impl Watch {
             pivot: self.pivot,
             energy: self.energy.as_ref().map(|energy| without_rounding(energy.largest)),
             condition: self.condition.as_ref().map(|condition| condition.peak.clone()),
+            softest_impact: None,
             steps_s: self.steps.range_s(),
         }
     }

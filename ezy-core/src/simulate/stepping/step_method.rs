@@ -10,8 +10,9 @@ use crate::simulate::SetupError;
 /// An integrator with its tolerance and the discontinuities at which its steps end.
 pub(super) struct StepMethod<P: SceneRef> {
     pub integrator: Box<dyn Integrator<System<P>>>,
-    /// Whether the method finds accelerations itself: asked once, not at each step.
+    /// Whether the method finds accelerations itself, and whether it judges steps by them: asked once, not at each step.
     expands: bool,
+    judges_by_end: bool,
     discontinuities: EventDiscontinuities,
     /// Tolerance of a method that chooses its steps.
     tolerance: Option<Tolerance>,
@@ -24,6 +25,7 @@ impl<P: SceneRef> StepMethod<P> {
         let integrator = integrator(system, method, n_works)?;
         Ok(Self {
             expands: integrator.expands(),
+            judges_by_end: integrator.judges_by_end(),
             integrator,
             discontinuities: EventDiscontinuities::new(system.info()),
             tolerance: method.tolerance(),
@@ -33,6 +35,11 @@ impl<P: SceneRef> StepMethod<P> {
     #[inline]
     pub(super) fn expands(&self) -> bool {
         self.expands
+    }
+
+    #[inline]
+    pub(super) fn judges_by_end(&self) -> bool {
+        self.judges_by_end
     }
 
     #[inline]

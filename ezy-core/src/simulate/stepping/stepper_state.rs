@@ -182,7 +182,7 @@ impl<P: SceneRef> StepperState<P> {
         self.method.step(system, now.node(), h, t_next, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         self.project_next()?;
-        if self.method.expands() { self.judge_by_end(h, t_next) } else { Ok(()) }
+        if self.method.judges_by_end() { self.judge_by_end(h, t_next) } else { Ok(()) }
     }
 
     /// Takes the step again shorter, as long as the method refuses it for the accelerations at its end.

@@ -1,0 +1,210 @@
+//! The error of a step, from the Legendre coefficients of its slopes and from what these are at its ends.
+
+use super::lanes;
+use super::tableau::{N, NODES};
+use crate::integrate::tolerances::gauss::{OF_SWEEPS, ROUNDING, UNEXPECTED};
+use crate::model::Eight;
+use crate::scalar::{Lanes, Scalar};
+
+/// Legendre polynomials at the ends of a step.
+const AT_START: Eight = Lanes([1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0]);
+const AT_END: Eight = Lanes([1.0; N]);
+
+/// 15!! = 15 · 13 · … · 1
+const DOUBLE_FACTORIAL_OF_15: f64 = 2_027_025.0;
+
+/// The error of the end of a step over the tolerance, and the size of the Legendre coefficient of degree 8 of its slopes.
+///
+/// Between the nodes the equations are not met: by the polynomial P_8 times the coefficient that comes next, and what follows. The
+/// end of the step is off by the integral of that, times what a change of a slope at each time makes of the end. That factor
+/// is smooth, too, so that P_8 sees of it only its own coefficient of degree 8: of the linear motion z^8/(2^8 15!!), of the change of its
+/// rate over the step as much as of the slopes of the number that is least smooth, and where slopes do not depend on the state what their own
+/// coefficients leave: of all of them together, and of each one, be it far smaller than another one that is smooth.
+///
+/// The slopes at the start of the step are known: what the polynomial lacks there is the sum of all coefficients to come. Where
+/// it is more than predicted, coefficients fall as much more slowly.
+pub(super) fn error_of_slopes(
+    coefficients: &[Eight],
+    weights: &[f64],
+    sizes: &[f64; N],
+    at_start: &[f64],
+    steepness: f64,
+) -> [f64; 2] {
+    let (mut next, mut decay) = next_coefficient(sizes);
+    let (mut defect, mut part, mut own) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for ((coefficients, weight), at_start) in coefficients.iter().zip(weights).zip(at_start) {
+        defect = defect.max(weight * (lanes::sum(&AT_START, coefficients) - at_start).abs());
+        let sizes = (coefficients.abs() * Eight::from_f64(*weight)).0;
+        // what changes a number by less than its tolerance changes no other
+        let largest = sizes.iter().copied().fold(1.0, f64::max);
+        part = part.max(next_coefficient(&sizes).0 / largest);
+        own = own.max(left_by(&sizes, weight * (lanes::sum(&AT_START, coefficients) - at_start).abs() - OF_SWEEPS));
+    }
+    // sweeps leave a part of the tolerance
+    defect -= OF_SWEEPS;
+    if defect > next {
+        decay = (decay * defect / next.max(f64::MIN_POSITIVE)).min(1.0);
+        next = defect;
+    }
+    let linear = (0.5 * steepness).powi(N as i32) / DOUBLE_FACTORIAL_OF_15;
+    let seen = linear + steepness * part + decay.powi(N as i32);
+    [(next * seen).max(own - rounding_of(sizes)) / (2.0 * N as f64 + 1.0), next]
+}
+
+/// The error of the end of a step over the tolerance by the slopes there. A force that changes behind the last node is seen by nothing else: what the
+/// polynomial lacks at the end, beyond many times what its coefficients tell, it lacks from that node on.
+pub(super) fn error_at_end(coefficients: &[Eight], weights: &[f64], sizes: &[f64; N], at_end: &[f64]) -> f64 {
+    let rounding = OF_SWEEPS + rounding_of(sizes);
+    let (mut unexpected, mut own) = (0.0_f64, 0.0_f64);
+    for ((coefficients, weight), slope) in coefficients.iter().zip(weights).zip(at_end) {
+        let sizes = (coefficients.abs() * Eight::from_f64(*weight)).0;
+        let [next, decay] = continued(&sizes);
+        let to_come = if next > 0.0 { next / (1.0 - decay) } else { 0.0 };
+        let defect = weight * (lanes::sum(&AT_END, coefficients) - slope).abs() - rounding;
+        unexpected = unexpected.max(defect - UNEXPECTED * to_come);
+        own = own.max(left_by(&sizes, defect));
+    }
+    ((1.0 - NODES.0[N - 1]) * unexpected).max((own - rounding) / (2.0 * N as f64 + 1.0))
+}
+
+/// What rounding leaves of slopes whose Legendre coefficients are of these sizes at most.
+fn rounding_of(sizes: &[f64; N]) -> f64 {
+    ROUNDING * sizes.iter().copied().fold(0.0, f64::max)
+}
+
+/// The size of the coefficient of degree 16 of one number, which lacks so much at an end: that is the coefficient of degree 8, and more.
+fn left_by(sizes: &[f64; N], defect: f64) -> f64 {
+    let [next, decay] = continued(sizes);
+    next.max(defect) * decay.powi(N as i32)
+}
+
+/// The size of the coefficient of degree 8 of one number, where each is smaller by the same factor, which stands behind it: that of the last four degrees,
+/// since coefficients between may be small by chance.
+fn continued(sizes: &[f64; N]) -> [f64; 2] {
+    let [first, last] = [2, 6].map(|m| sizes[m].max(sizes[m + 1]));
+    let decay = if first > last { (last / first).sqrt().sqrt() } else { 1.0 };
+    [decay * sizes[7].max(decay * sizes[6]), decay]
+}
+
+/// The size of the Legendre coefficient of degree 8, which is not known, from those of lower degrees: each is smaller by the same factor, which
+/// stands behind it, or by a factor that grows as it did, where a force is less smooth than what stands out in the first coefficients. Those of even or
+/// odd degree may be small by symmetry.
+pub(super) fn next_coefficient(sizes: &[f64; N]) -> (f64, f64) {
+    let [first, earlier, later] = [2, 4, 6].map(|m| sizes[m].max(sizes[m + 1]));
+    let decay_of = |from: f64, to: f64| if from > to { (to / from).sqrt() } else { 1.0 };
+    let (before, last) = (decay_of(first, earlier), decay_of(earlier, later));
+    let decay = if last > before { (last * last / before).min(1.0) } else { last };
+    (decay * sizes[7].max(decay * sizes[6]), decay)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rounding of some twenty operations.
+    const ROUNDING_OF_SUMS: f64 = 1e-14;
+
+    /// Legendre coefficients that fall by `decay` from the last one, of this size.
+    fn falling(decay: f64, last: f64) -> [f64; N] {
+        std::array::from_fn(|m| last * decay.powi(m as i32 - (N as i32 - 1)))
+    }
+
+    #[test]
+    fn analytic_coefficients_that_fall_by_a_factor_go_on_so() {
+        let (next, decay) = next_coefficient(&falling(0.1, 4.0));
+        assert!((next / 0.4 - 1.0).abs() <= ROUNDING_OF_SUMS && (decay / 0.1 - 1.0).abs() <= ROUNDING_OF_SUMS);
+    }
+
+    /// From 1e6 over 1 to 1e-3 in steps of two degrees: by 1e-3, then by 10^-1.5 a degree. The latter is 10^1.5 times as large as the one before, and
+    /// the next one would be 1.
+    #[test]
+    fn analytic_coefficients_that_fall_ever_more_slowly_go_on_so() {
+        let sizes = [1e9, 1e9, 1e6, 1e6, 1.0, 1.0, 1e-3, 1e-3];
+        let (next, decay) = next_coefficient(&sizes);
+        assert!((decay - 1.0).abs() <= ROUNDING_OF_SUMS, "{decay}");
+        assert!((next / 1e-3 - 1.0).abs() <= ROUNDING_OF_SUMS, "{next}");
+    }
+
+    /// A slope of c · P_8 is 0 at all nodes and c at the start.
+    #[test]
+    fn analytic_slope_that_vanishes_at_all_nodes_is_seen_at_the_start() {
+        let zero = [Eight::from_f64(0.0)];
+        let [error, next] = error_of_slopes(&zero, &[1.0], &[0.0; N], &[1e3], 0.0);
+        assert!((next / (1e3 - 0.1) - 1.0).abs() <= ROUNDING_OF_SUMS, "{next}");
+        // nothing says that what follows is smaller
+        assert!((error / (next / 17.0) - 1.0).abs() <= ROUNDING_OF_SUMS, "{error}");
+    }
+
+    /// A force that jumps within the step: its coefficients do not fall, and what they leave at the end is not hidden by slopes a million times as large that
+    /// are smooth. Nothing depends on the state.
+    #[test]
+    fn analytic_number_that_jumps_beside_larger_smooth_ones_is_off_by_its_own_coefficients() {
+        let coefficients = [Lanes(falling(0.01, 1e-8)), Lanes([50.0; N])];
+        let start = coefficients.map(|of| lanes::sum(&AT_START, &of));
+        let weights = [1.0; 2];
+        let sizes = lanes::sizes(&coefficients, &weights);
+        let [error, _] = error_of_slopes(&coefficients, &weights, &sizes, &start, 0.0);
+        assert!((error / (50.0 / 17.0) - 1.0).abs() <= ROUNDING_OF_SUMS, "{error}");
+    }
+
+    /// By 0.1 a degree from 1 at degree 7 on, also where two of the coefficients before it are small by chance.
+    #[test]
+    fn analytic_coefficient_of_degree_16_follows_from_those_that_are_known() {
+        for small in [None, Some(4)] {
+            let mut sizes = falling(0.1, 1.0);
+            small.into_iter().for_each(|m| sizes[m..m + 2].fill(1e-3));
+            let left = left_by(&sizes, 0.0);
+            assert!((left / 1e-9 - 1.0).abs() <= ROUNDING_OF_SUMS, "{small:?}: {left}");
+        }
+    }
+
+    /// Coefficients that fall by 0.1 from 1e-6 on: those to come add up to 1e-7/0.9. Ten times as much at the end is no surprise; what is more lasts from the
+    /// last node on, for the 0.01986th part of the step (Abramowitz and Stegun 1972, table 25.4).
+    #[test]
+    fn analytic_jump_behind_the_last_node_is_seen_at_the_end() {
+        let falls = falling(0.1, 1e-6);
+        let to_come = 1e-7 / 0.9;
+        let error = |sizes: [f64; N], lacks: f64| {
+            let coefficients = [Lanes(sizes)];
+            let end = [lanes::sum(&AT_END, &coefficients[0]) + lacks];
+            error_at_end(&coefficients, &[1e9], &[0.0; N], &end)
+        };
+        // but for what it leaves at degree 16
+        assert!(error(falls, 9.9 * to_come) < 1e9 * 9.9 * to_come * 0.1_f64.powi(8) / 17.0);
+        let expected = 0.019_855_071_751_231_9 * (1e9 * 10.0 * to_come - OF_SWEEPS);
+        assert!((error(falls, 20.0 * to_come) / expected - 1.0).abs() <= 1e-6, "{}", error(falls, 20.0 * to_come));
+        // of a steady force nothing tells that what is to come falls
+        let steady = error([1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], 1e-3);
+        assert!((steady / ((1e6 - 2.0 * OF_SWEEPS) / 17.0) - 1.0).abs() <= 1e-6, "{steady}");
+    }
+
+    /// A light number whose coefficients do not fall, beside a heavy one a million times as large whose coefficients do.
+    #[test]
+    fn invariant_fast_number_beside_slow_heavy_ones_counts() {
+        let heavy = Lanes(falling(0.01, 1e-6));
+        let light = Lanes(falling(0.5, 1e3));
+        let weights = [1.0, 1.0];
+        let both = [heavy, light];
+        let start = both.map(|coefficients| lanes::sum(&AT_START, &coefficients));
+        let error = |coefficients: &[Eight]| {
+            error_of_slopes(coefficients, &weights, &lanes::sizes(coefficients, &weights), &start, 1.0)[0]
+        };
+        // of its own coefficient of degree 8 over its first one, 2^-8, the end sees the 17th part, times what comes next: 500
+        assert!(error(&both) >= 500.0 * 0.5_f64.powi(8) / 17.0, "{}", error(&both));
+    }
+
+    /// Changes of the state by less than the tolerance make no step shorter, be they as rough as rounding.
+    #[test]
+    fn invariant_number_that_hardly_moves_does_not_count() {
+        let smooth = Lanes(falling(0.01, 1e3));
+        let rough = Lanes([1e-9; N]);
+        let error = |coefficients: &[Eight]| {
+            let start: Vec<f64> = coefficients.iter().map(|of| lanes::sum(&AT_START, of)).collect();
+            let weights = vec![1.0; coefficients.len()];
+            error_of_slopes(coefficients, &weights, &lanes::sizes(coefficients, &weights), &start, 1.0)[0]
+        };
+        let more = error(&[smooth, rough]) - error(&[smooth]);
+        // of the smooth one 1e3 · 0.01 comes next; relative to its own size the rough number would add 10/17
+        assert!(more <= 10.0 * 1e-9 / 17.0 * (1.0 + ROUNDING_OF_SUMS), "{more}");
+    }
+}

@@ -33,12 +33,13 @@ pub(super) fn error_of_slopes(
     let (mut next, mut decay) = next_coefficient(sizes);
     let (mut defect, mut part, mut own) = (0.0_f64, 0.0_f64, 0.0_f64);
     for ((coefficients, weight), at_start) in coefficients.iter().zip(weights).zip(at_start) {
-        defect = defect.max(weight * (lanes::sum(&AT_START, coefficients) - at_start).abs());
+        let lacks = weight * (lanes::sum(&AT_START, coefficients) - at_start).abs();
+        defect = defect.max(lacks);
         let sizes = (coefficients.abs() * Eight::from_f64(*weight)).0;
         // what changes a number by less than its tolerance changes no other
         let largest = sizes.iter().copied().fold(1.0, f64::max);
         part = part.max(next_coefficient(&sizes).0 / largest);
-        own = own.max(left_by(&sizes, weight * (lanes::sum(&AT_START, coefficients) - at_start).abs() - OF_SWEEPS));
+        own = own.max(left_by(&sizes, lacks - OF_SWEEPS));
     }
     // sweeps leave a part of the tolerance
     defect -= OF_SWEEPS;

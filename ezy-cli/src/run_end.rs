@@ -156,6 +156,7 @@ pub(super) fn run_text(run: &Run, free: &[Name], method: Method, radau_runs: boo
         cost.evaluations,
         cost.seconds
     );
+    text += &added_up_text(run, method);
     text += &error_text(run);
     text += &run.rank.to_string();
     text + &remarks(run, method, radau_runs)
@@ -200,7 +201,6 @@ pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     let names_radau = !stiff.is_empty();
     lifted_remark(method)
         + &stiff
-        + &steps_remark(run, method)
         + &attainable_remark(run, method)
         + &impacts_remark(run, method)
         + &beside_remark(run)
@@ -214,18 +214,14 @@ fn lifted(method: Method) -> Option<[f64; 2]> {
     asked.zip(kept).filter(|(asked, kept)| asked < kept).map(|(asked, kept)| [asked, kept])
 }
 
-/// From so many steps on errors add up to more than is usually said of a tolerance.
-const MANY_STEPS: u64 = 1_000;
-
 /// What errors of steps add up to where they have one sign, of one more than each number.
 fn added_up(run: &Run, method: Method) -> Option<f64> {
-    let n_steps = run.cost.steps + run.cost.rejected;
-    method.tolerance().filter(|_| n_steps > MANY_STEPS).map(|tolerance| n_steps as f64 * tolerance.relative)
+    method.lifted().tolerance().map(|tolerance| run.cost.steps as f64 * tolerance.relative)
 }
 
-fn steps_remark(run: &Run, method: Method) -> String {
+fn added_up_text(run: &Run, method: Method) -> String {
     added_up(run, method).map_or(String::new(), |sum| {
-        format!("remark: errors of so many steps may add up to {sum:.0e} of one more than each number, before the motion amplifies them\n")
+        format!("errors of these steps add up to {sum:.0e} of one more than each number at most, before the motion amplifies them\n")
     })
 }
 

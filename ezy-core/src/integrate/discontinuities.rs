@@ -52,6 +52,9 @@ pub(crate) trait Discontinuities<D, T = f64> {
     /// What the step from `from` to `end` passes; its length ends at the first discontinuity.
     fn passage(&mut self, system: &mut D, from: Node<'_, T>, end: &State<T>) -> Passage;
 
+    /// Whether the share of a smoothed law changes by more than `by` between two states.
+    fn turns(&mut self, system: &mut D, from: &State<T>, to: &State<T>, by: f64) -> bool;
+
     /// The step from `from` to the first discontinuity; none when the step to `ends`, its end and other stages, crosses none. `whole_s` is
     /// the usual step length.
     fn cut(&mut self, system: &mut D, from: Node<'_, T>, ends: &[&State<T>], whole_s: f64) -> Option<Cut>;
@@ -72,6 +75,10 @@ pub(crate) struct Smooth;
 impl<D, T> Discontinuities<D, T> for Smooth {
     fn passage(&mut self, _system: &mut D, _from: Node<'_, T>, _end: &State<T>) -> Passage {
         Passage::Smooth
+    }
+
+    fn turns(&mut self, _system: &mut D, _from: &State<T>, _to: &State<T>, _by: f64) -> bool {
+        false
     }
 
     fn cut(&mut self, _system: &mut D, _from: Node<'_, T>, _ends: &[&State<T>], _whole_s: f64) -> Option<Cut> {
@@ -176,14 +183,17 @@ impl<P: SceneRef> Discontinuities<System<P>> for EventDiscontinuities {
         if let Some(length) = self.up_to(system, from, end) {
             return Passage::Ends(length);
         }
+        if self.turns(system, from.state, end, TURNED) { Passage::Layer } else { Passage::Smooth }
+    }
+
+    fn turns(&mut self, system: &mut System<P>, from: &State, to: &State, by: f64) -> bool {
         if self.layers.is_empty() {
-            return Passage::Smooth;
+            return false;
         }
         let Self { layers, values: [before, after, _], .. } = self;
-        events(system, from.state, before);
-        events(system, end, after);
-        let turns = |&i: &usize| (after[i] - before[i]).abs() > TURNED;
-        if layers.iter().any(turns) { Passage::Layer } else { Passage::Smooth }
+        events(system, from, before);
+        events(system, to, after);
+        layers.iter().any(|&i| (after[i] - before[i]).abs() > by)
     }
 
     fn cut(&mut self, system: &mut System<P>, from: Node<'_>, ends: &[&State], whole_s: f64) -> Option<Cut> {

@@ -2,6 +2,7 @@
 
 use super::discontinuities::Discontinuities;
 use super::hermite::Node;
+use super::tolerances::steps::N_PARTS;
 use crate::archive::Archive;
 use crate::dynamics::{MotionError, Solved, State};
 use crate::scalar::Scalar;
@@ -92,6 +93,11 @@ pub(crate) trait Integrator<D, T: Scalar = f64>: Send {
         false
     }
 
+    /// Parts of a step at whose ends event functions are sampled.
+    fn n_parts(&self) -> usize {
+        N_PARTS
+    }
+
     /// The smallest pivot within the last step, of a method whose steps are long enough to pass a singular position between their ends.
     fn smallest_pivot_within(&self) -> f64 {
         f64::INFINITY
@@ -103,8 +109,9 @@ pub(crate) trait Integrator<D, T: Scalar = f64>: Send {
         None
     }
 
-    /// Whether the projection of the state that was found last changed its velocities, to `v`, by more than the tolerance explains.
-    fn is_off_constraints(&self, _v: &[T]) -> bool {
+    /// Whether the state that was found last, with the velocities `v` after its projection, is to be the end of a step of its own: the tolerance does
+    /// not explain what the projection changed, or nothing tells how good values between the ends of the step are.
+    fn needs_own_step(&self, _v: &[T]) -> bool {
         false
     }
 

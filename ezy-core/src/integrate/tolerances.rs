@@ -24,6 +24,12 @@ pub(crate) mod steps {
     /// Test: `analytic_springs_that_meet_are_followed_as_well_as_one`.
     pub(crate) const LEFT: f64 = 1.0 / 16.0;
 
+    /// Parts of a step at whose ends event functions are sampled, but for steps of `gauss`, which go over more of a period.
+    /// Unit: parts.
+    /// Test: `analytic_two_passages_within_one_step_are_both_found`,
+    /// and `analytic_slide_shorter_than_a_quarter_of_a_step_is_followed`.
+    pub(crate) const N_PARTS: usize = 4;
+
     /// Values between the ends of a step of DOP853 come from its polynomial while the estimate of its error is at most this many tolerances;
     /// the estimate is three to ten times the error, so that samples are as good as ends of steps.
     /// Unit: tolerances.
@@ -237,6 +243,12 @@ pub(crate) mod gauss {
     /// Unit: 1.
     /// Test: `analytic_jump_behind_the_last_node_is_seen_at_the_end`.
     pub(crate) const UNEXPECTED: f64 = 10.0;
+
+    /// A step in which the share of a smoothed law changes by more than this up to a node is not resolved by its order. Of v/√(v² + k²) with v from k/√3 on, a
+    /// change by a half, coefficients fall by three a degree, and by 4e-8 to the degree that the end sees; for twice the change by 3e-6.
+    /// Unit: share of the largest force.
+    /// Test: `cross_gauss_samples_of_slow_wheels_keep_to_the_tolerance`.
+    pub(crate) const TURNED: f64 = 0.5;
 
     /// Quasi-velocities give back the velocities that they are taken from up to the rounding of some ten operations over the smallest pivot: a length, such
     /// as that from a hinge to an axle, which may be a thousandth of the others.

@@ -74,7 +74,7 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
         let mut rank = RankRecord::default();
         rank.see(&mut stepper);
         let inputs = stepper.system.inputs().to_vec();
-        let detector = EventDetector::new(EventFunction::Events, events, &stepper.now.state);
+        let detector = EventDetector::new(EventFunction::Events, events, &stepper);
         Ok(Self { stepper, modes, schedule, control, inputs, detector, samples, watch, rank, caller })
     }
 

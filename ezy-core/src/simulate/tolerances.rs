@@ -106,12 +106,6 @@ pub(crate) mod crossing {
 
 /// Events between the ends of a step.
 pub(crate) mod events {
-    /// Parts of a step at whose ends event functions are sampled.
-    /// Unit: parts.
-    /// Test: `analytic_two_passages_within_one_step_are_both_found`,
-    /// and `analytic_slide_shorter_than_a_quarter_of_a_step_is_followed`.
-    pub(crate) const N_PARTS: usize = 4;
-
     /// An initial value below this part of the largest one in the first step is rounding: its sign is taken as zero.
     /// Unit: 1.
     /// Test: `analytic_start_just_before_an_event_is_told_from_rounding`.

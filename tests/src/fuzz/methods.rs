@@ -25,9 +25,6 @@ const RK4_STEPS: [f64; 2] = [1e3, 1e4];
 /// Tolerance of the steps that carry RK4 across singular positions: half the step does not change them.
 const CROSSING: f64 = 1e-9;
 
-/// From so many steps on a run tells that errors of its steps add up to as many tolerances.
-const MANY_STEPS: u64 = 1_000;
-
 /// Share of a scene's time that is run, as powers of ten: up to three times of it.
 const SHARES: [f64; 2] = [-2.0, 0.477];
 
@@ -100,7 +97,7 @@ pub struct Told {
     pub excess: f64,
     /// How much the motion amplifies errors.
     pub amplification: f64,
-    /// Steps, with rejected ones.
+    /// Steps.
     pub n_steps: u64,
     /// Samples that are not compared, since they lie in a crossing of a singular position.
     pub n_skipped: usize,
@@ -200,6 +197,7 @@ impl Case {
     ) -> Option<Motion> {
         let info = scene.info();
         let names = info.coordinates.iter().chain(&*info.velocities).map(|c| &*c.name);
+        let names = names.chain(info.states.iter().map(|state| &*state.name));
         let start = names.zip(start).enumerate();
         let order = self.order(scene, Method::dop853(REFERENCE)).until(until_s).every(every_s);
         let order = start.fold(order, |order, (i, (name, value))| order.start(name, value + by(i)));
@@ -212,19 +210,15 @@ impl Case {
             return None;
         }
         let n_q = scene.info().n_coordinates();
-        let start = &explicit.samples[0];
-        let start = State {
-            t: 0.0,
-            q: start[..n_q].to_vec(),
-            v: start[n_q..2 * n_q].to_vec(),
-            z: scene.info().states.iter().map(|state| state.default).collect(),
-            work: Vec::new(),
-        };
+        let (q, rest) = explicit.samples[0].split_at(n_q);
+        let (v, rest) = rest.split_at(n_q);
+        let z = &rest[..scene.info().n_states()];
+        let start = State { t: 0.0, q: q.to_vec(), v: v.to_vec(), z: z.to_vec(), work: Vec::new() };
         let mut precise = PreciseMotion::new(scene, &start).ok()?;
         let mut motion = explicit.clone();
         for (i, sample) in motion.samples.iter_mut().enumerate() {
             precise.advance_to(self.until_s * i as f64 / N_SAMPLES as f64).ok()?;
-            let numbers = precise.q().iter().chain(precise.v()).chain(precise.lambda());
+            let numbers = precise.q().iter().chain(precise.v()).chain(precise.z()).chain(precise.lambda());
             sample.iter_mut().zip(numbers).for_each(|(sample, number)| *sample = number.high());
         }
         Some(motion)
@@ -233,15 +227,22 @@ impl Case {
     /// What runs of the case are compared with.
     fn reference(&self, scene: &dyn Scene) -> Result<Reference, Judgement> {
         let explicit = self.run(scene, Method::dop853(REFERENCE)).map_err(|_| Judgement::NoReference)?;
-        let n_state = 2 * scene.info().n_coordinates();
+        let info = scene.info();
+        let (n_q, n_state) = (info.n_coordinates(), 2 * info.n_coordinates() + info.n_states());
         let mut scale = scale(&explicit);
         let start = &explicit.samples[0];
-        let n_multipliers = start.len() - n_state - scene.info().n_effects();
+        let n_multipliers = start.len() - n_state - info.n_effects();
         let parts = [0..n_state, n_state..n_state + n_multipliers, n_state + n_multipliers..start.len()];
-        scale[parts[2].clone()].iter_mut().for_each(|scale| *scale += explicit.energy);
+        let velocities = n_q..2 * n_q;
+        let masses = System::new(scene, Backend::Auto).map_err(|_| Judgement::NoReference)?;
+        let kinetic = masses.mass_matrix().iter().zip(&scale[velocities.clone()]);
+        let kinetic: f64 = kinetic.map(|(mass, scale)| mass * (scale - 1.0) * scale).sum();
+        // a work is known as well as the energy of a state
+        scale[parts[2].clone()].iter_mut().for_each(|scale| *scale += explicit.energy + kinetic);
         let mut draw = Draw::new(self.seed, 1);
         let over = [self.until_s, self.until_s / N_SAMPLES as f64];
-        let faster = self.moved(scene, start, |i| if i < n_state / 2 { 0.0 } else { MOVED * start[i] }, over);
+        let faster = |i| if velocities.contains(&i) { MOVED * start[i] } else { 0.0 };
+        let faster = self.moved(scene, start, faster, over);
         let moved =
             (0..N_MOVED).map(|_| self.moved(scene, start, |i| MOVED * scale[i] * draw.between(-1.0, 1.0), over));
         let moved = std::iter::once(faster).chain(moved).collect::<Option<Vec<Motion>>>();
@@ -251,7 +252,8 @@ impl Case {
         if amplification.of_states() > LARGEST_AMPLIFICATION {
             return Err(Judgement::Amplifies);
         }
-        let reference = |motion, least| Reference { motion, scale, parts, amplification, is_wide: false, least };
+        let reference =
+            |motion, least| Reference { motion, scale, parts, velocities, amplification, is_wide: false, least };
         if let Some(precise) = self.precise(scene, &explicit) {
             let reference = reference(precise, 0.0);
             // works and events have no other; and amplification is not what small moves of the start tell where the motion all but branches
@@ -294,11 +296,12 @@ impl Case {
                 Ok(judged) => judged,
                 Err(judgement) => return tell(told(method, judgement, f64::NAN, amplification)),
             };
-            let told_by_run = if motion.n_steps > MANY_STEPS { motion.n_steps as f64 } else { MARGIN };
+            // a run tells what errors of its steps add up to
+            let told_by_run = MARGIN.max(motion.n_steps as f64);
             let is_right = excess <= told_by_run;
             // from here on `ezy run` remarks on the energy
             let tolerance = method.tolerance().map_or(f64::INFINITY, |t| t.relative);
-            let explained = MARGIN.max(motion.n_steps as f64) * tolerance;
+            let explained = told_by_run * tolerance;
             let attainable = motion.rounding.max(method.iteration_floor()).max(tolerance);
             let is_rounding = excess * tolerance <= told_by_run * attainable;
             // a soft impact more or less hardly moves the bodies
@@ -386,7 +389,7 @@ impl Case {
         if is_settled { excess } else { reference.excess_but_for_events(motion, tolerance) }
     }
 
-    /// How much errors that are made on the way grow, of motions that go on from a sample as from a start: those without a clock, modes and first-order states.
+    /// How much errors that are made on the way grow, of motions that go on from a sample as from a start: those without a clock and modes.
     fn on_the_way(&self, scene: &dyn Scene, reference: &Reference, draw: &mut Draw) -> Vec<[f64; 3]> {
         let Reference { motion, scale, parts, .. } = reference;
         let mut found = Vec::new();
@@ -422,8 +425,9 @@ impl Case {
         }
         let mut system = System::new(scene, Backend::Auto).ok()?;
         let Reference { motion, scale, parts: [of_states, of_multipliers, _], .. } = reference;
-        let mut multipliers = |t: f64, state: &[f64], z: &[f64]| {
-            let (q, v) = state.split_at(info.n_coordinates());
+        let mut multipliers = |t: f64, state: &[f64]| {
+            let (q, rest) = state.split_at(info.n_coordinates());
+            let (v, z) = rest.split_at(q.len());
             system.place_states(z);
             let (mut a, mut lambda) = (vec![0.0; v.len()], vec![0.0; info.n_rows()]);
             system.accelerations(t, q, v, &mut a, &mut lambda).ok().map(|_| lambda)
@@ -432,13 +436,10 @@ impl Case {
         for (i, sample) in motion.samples.iter().enumerate() {
             let t = self.until_s * i as f64 / N_SAMPLES as f64;
             let state = &sample[of_states.clone()];
-            let z = &motion.states[i];
-            let there = multipliers(t, state, z)?;
+            let there = multipliers(t, state)?;
             for _ in 0..N_MOVED_MORE {
                 let moved = state.iter().zip(scale).map(|(x, scale)| x + MOVED * scale * draw.between(-1.0, 1.0));
-                let moved = moved.collect::<Vec<_>>();
-                let z: Vec<f64> = z.iter().map(|z| z + MOVED * draw.between(-1.0, 1.0)).collect();
-                let moved = multipliers(t, &moved, &z)?;
+                let moved = multipliers(t, &moved.collect::<Vec<_>>())?;
                 let grown =
                     there.iter().zip(&moved).zip(&scale[of_multipliers.clone()]).map(|((x, y), scale)| (x - y) / scale);
                 most = grown.map(|grown| grown.abs() / MOVED).fold(most, worse);

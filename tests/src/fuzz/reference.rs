@@ -26,10 +26,8 @@ pub(super) const LARGEST_BOUND: f64 = 0.1;
 /// What a run computed.
 #[derive(Clone)]
 pub(super) struct Motion {
-    /// Coordinates, velocities, multipliers and works.
+    /// Coordinates, velocities, first-order states, multipliers and works.
     pub(super) samples: Vec<Vec<f64>>,
-    /// First-order states.
-    pub(super) states: Vec<Vec<f64>>,
     /// Largest energy, which works are relative to, J.
     pub(super) energy: f64,
     /// Times of events, s.
@@ -49,7 +47,7 @@ pub(super) struct Motion {
     pub(super) n_steps: u64,
 }
 
-/// Ranges of states, multipliers and works in a sample.
+/// Ranges of states, with those of first order, of multipliers and of works in a sample.
 pub(super) type Parts = [Range<usize>; 3];
 
 /// How much errors of a state grow.
@@ -80,8 +78,9 @@ pub(super) struct Reference {
     pub(super) motion: Motion,
     /// What tolerances are relative to: one more than the largest of each number.
     pub(super) scale: Vec<f64>,
-    /// Where the parts of a sample begin: states, multipliers, works.
     pub(super) parts: Parts,
+    /// Where velocities are in a sample.
+    pub(super) velocities: Range<usize>,
     pub(super) amplification: Amplification,
     /// Whether more starts were moved to see it.
     pub(super) is_wide: bool,
@@ -107,9 +106,8 @@ impl Reference {
     /// Whether the bound of an error is so large a part of the motion that errors are no longer proportional, and the run is no farther from the reference
     /// than that, or than two motions of this size can be.
     pub(super) fn branches(&self, motion: &Motion, tolerance: f64) -> bool {
-        let n_q = self.parts[0].end / 2;
         // a scale is one more than the largest value
-        let velocities = self.scale[n_q..2 * n_q].iter().map(|scale| (scale - 1.0) / scale);
+        let velocities = self.scale[self.velocities.clone()].iter().map(|scale| (scale - 1.0) / scale);
         let fastest = velocities.fold(0.0, f64::max);
         let bound = MARGIN * tolerance * self.amplification.of_states();
         bound > LARGEST_BOUND * fastest && self.apart(motion, &self.motion) <= bound.max(2.0 * fastest)
@@ -154,9 +152,10 @@ pub(super) fn motion(run: &Run) -> Option<Motion> {
                 samples: run
                     .samples()
                     .take(n)
-                    .map(|sample| [sample.coordinates, sample.velocities, sample.multipliers, sample.work].concat())
+                    .map(|Sample { coordinates, velocities, states, multipliers, work, .. }| {
+                        [coordinates, velocities, states, multipliers, work].concat()
+                    })
                     .collect(),
-                states: run.samples().take(n).map(|sample| sample.states.to_vec()).collect(),
                 energy: run
                     .samples()
                     .fold(0.0, |most: f64, sample| most.max(sample.energy.kinetic + sample.energy.potential.abs())),
@@ -167,7 +166,7 @@ pub(super) fn motion(run: &Run) -> Option<Motion> {
                 energy_error: run.monitors.energy.map_or(0.0, |energy| energy.relative),
                 rounding: run.monitors.condition.as_ref().map_or(0.0, |condition| condition.rounding),
                 softest: run.monitors.softest_impact.map_or(f64::INFINITY, |impact| impact.speed),
-                n_steps: run.cost.steps + run.cost.rejected,
+                n_steps: run.cost.steps,
             })
         }
         _ => None,

@@ -25,6 +25,7 @@ mod fields;
 mod first_order;
 mod fuzz;
 mod garage;
+mod gauss;
 mod guide;
 mod hand_and_generated;
 mod hard;

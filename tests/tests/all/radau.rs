@@ -399,6 +399,23 @@ fn reference_radau_over_a_steep_knee_of_friction() {
     }
 }
 
+/// Wheels that creep within the knee of their friction make the motion stiff: the polynomial of a step of 0.05 s, in which they begin to, is off by 160
+/// tolerances at 0.083 s.
+#[test]
+fn cross_radau_samples_keep_to_the_tolerance_where_friction_is_stiff() {
+    let scene = roller_racer::RowedOnTarmac { h: 0.62, m1: 0.104, omega: -0.38, knee: 1.5e-6, ..Default::default() };
+    let samples = |method| Simulation::new(&scene).method(method).until(0.38).every(0.38 / 32.0).run().unwrap();
+    let of = |sample: Sample<'_>| [sample.coordinates, sample.velocities].concat();
+    const TOLERANCE: f64 = 1e-9;
+    let (run, reference) = (samples(Method::radau(TOLERANCE)), samples(Method::dop853(1e-12)));
+    assert!(run.cost.steps <= FEW_STEPS, "{} steps", run.cost.steps);
+    for (sample, expected) in run.samples().zip(reference.samples()) {
+        // no number is much larger than one
+        let error = distance(&of(sample), &of(expected));
+        assert!(error <= ADDED_UP * TOLERANCE, "{error:.1e} at {} s", sample.t);
+    }
+}
+
 fn numbers_at_end(run: &Run) -> Vec<f64> {
     [run.last().coordinates, run.last().velocities].concat()
 }

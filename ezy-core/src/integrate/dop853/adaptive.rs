@@ -157,7 +157,7 @@ impl<D: Dynamics<T>, T: Scalar> Integrator<D, T> for Adaptive<T> {
             Some(step_s) => step_s,
             None => self.method.first_step(system, from, left, self.tolerance)?,
         };
-        // the step length before a discontinuity, to continue with behind it
+        // the step length before a discontinuity, to continue with behind it; not where the step becomes shorter than the way to it
         let (mut whole, mut n_discontinuities) = (None, 0);
         loop {
             let StepLimit { step_s: h, t_next } = limited_step(t, end, length);
@@ -176,6 +176,8 @@ impl<D: Dynamics<T>, T: Scalar> Integrator<D, T> for Adaptive<T> {
                         n_discontinuities += 1;
                         let whole = *whole.get_or_insert(h);
                         length = if shorter > LEFT * whole { APPROACH * shorter } else { shorter };
+                        self.rejected += 1;
+                        continue;
                     } else if error <= 1.0 {
                         self.method.accept();
                         to.t = t_next;
@@ -195,6 +197,7 @@ impl<D: Dynamics<T>, T: Scalar> Integrator<D, T> for Adaptive<T> {
                     }
                 }
             }
+            (whole, n_discontinuities) = (None, 0);
             self.rejected += 1;
         }
     }
@@ -239,6 +242,10 @@ mod tests {
     impl<D> Discontinuities<D> for Passes {
         fn passage(&mut self, _: &mut D, _: Node<'_>, _: &State) -> Passage {
             self.0
+        }
+
+        fn turns(&mut self, _: &mut D, _: &State, _: &State, _: f64) -> bool {
+            false
         }
 
         fn cut(&mut self, _: &mut D, _: Node<'_>, _: &[&State], _: f64) -> Option<Cut> {

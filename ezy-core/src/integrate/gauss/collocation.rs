@@ -1,11 +1,13 @@
 //! Gauss–Legendre collocation with its step control.
 
+use super::tableau::NODES;
 use super::{Collocated, Gauss, GaussControl};
 use crate::archive::Archive;
 use crate::dynamics::{MotionError, State, System, SystemError};
 use crate::integrate::discontinuities::{Discontinuities, Passage};
 use crate::integrate::family::{Family, MethodInfo, Needs};
 use crate::integrate::step_limit::{StepLimit, is_too_short, limited_step};
+use crate::integrate::tolerances::gauss::TURNED;
 use crate::integrate::tolerances::second_run::TIGHTER;
 use crate::integrate::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES};
 use crate::integrate::{Integrator, Node, Tolerance};
@@ -22,10 +24,12 @@ pub(crate) struct Collocation {
     /// Length of the next step, s; none before the first.
     step_s: Option<f64>,
     rejected: u64,
-    /// Whether the last step was cut for a discontinuity: at its end forces may be those behind it.
+    /// Whether the last step ends behind a discontinuity, with the forces there.
     is_cut: bool,
     /// Error of the polynomial of the last step, over the tolerance.
     dense_error: f64,
+    /// For the time of a call; made when it is first needed.
+    node: Option<State>,
 }
 
 impl Family for Collocation {
@@ -59,7 +63,27 @@ impl Family for Collocation {
             rejected: 0,
             is_cut: false,
             dense_error: 0.0,
+            node: None,
         })))
+    }
+}
+
+impl Collocation {
+    /// Whether a smoothed law turns between the start and a node: steps are long enough for there and back.
+    fn turns_within<P: SceneRef>(
+        &mut self,
+        system: &mut System<P>,
+        from: &State,
+        to: &State,
+        discontinuities: &mut dyn Discontinuities<System<P>>,
+    ) -> bool {
+        let Self { method, node, .. } = self;
+        let node = node.get_or_insert_with(|| to.clone());
+        NODES.0.iter().any(|&c| {
+            method.dense_at(from, c, node);
+            node.t = from.t + c * (to.t - from.t);
+            discontinuities.turns(system, from, node, TURNED)
+        })
     }
 }
 
@@ -77,6 +101,11 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
 
     fn n_rejected(&self) -> u64 {
         self.rejected
+    }
+
+    /// A step of order 16 goes over most of a period.
+    fn n_parts(&self) -> usize {
+        NODES.0.len()
     }
 
     /// Infinite where accelerations were not eliminated.
@@ -123,8 +152,8 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
         let t = from.state.t;
         let left = end - t;
         let mut length = self.step_s.unwrap_or_else(|| self.method.first_step(from, left));
-        // the step length before a discontinuity, to continue with behind it
-        let (mut whole, mut n_discontinuities) = (None, 0);
+        // the step length before a discontinuity, to continue with behind it; not where the step becomes shorter than the way to it
+        let (mut whole, mut n_discontinuities, mut is_cut) = (None, 0, false);
         loop {
             let StepLimit { step_s: h, t_next } = limited_step(t, end, length);
             if is_too_short(t, h) && h < left {
@@ -133,7 +162,11 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
             match self.method.attempt(system, from, h, self.tolerance, to) {
                 Ok(Collocated::Solved { mut error, dense_error, rate }) => {
                     let passage = discontinuities.passage(system, from, to);
-                    if passage == Passage::Layer {
+                    let is_layer = passage == Passage::Layer
+                        || (error <= 1.0
+                            && dense_error > 1.0
+                            && self.turns_within(system, from.state, to, discontinuities));
+                    if is_layer {
                         error = error.max(dense_error);
                     }
                     if let Passage::Ends(shorter) = passage
@@ -141,13 +174,16 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
                     {
                         n_discontinuities += 1;
                         let whole = *whole.get_or_insert(h);
-                        length = if shorter > LEFT * whole { APPROACH * shorter } else { shorter };
+                        is_cut = shorter <= LEFT * whole;
+                        length = if is_cut { shorter } else { APPROACH * shorter };
+                        self.rejected += 1;
+                        continue;
                     } else {
                         let factor = self.control.factor(error, rate);
                         if error <= 1.0 {
                             to.t = t_next;
                             self.dense_error = dense_error;
-                            self.is_cut = whole.is_some();
+                            self.is_cut = is_cut;
                             // one that was cut short says little of the next
                             let shortest = if h < length { length } else { 0.0 };
                             self.step_s = Some(whole.unwrap_or((h * factor).max(shortest)));
@@ -165,6 +201,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
                     }
                 }
             }
+            (whole, n_discontinuities, is_cut) = (None, 0, false);
             self.rejected += 1;
         }
     }

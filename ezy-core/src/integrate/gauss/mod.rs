@@ -281,7 +281,7 @@ impl Gauss {
     }
 
     /// The same by the end of a step of their own for each of `n_parts` equal parts, whose polynomials have errors as many times smaller to the
-    /// power 9. From then on [`Gauss::dense_at`] is not to be called.
+    /// power 9; by the polynomial of the step where sweeps of a part do not converge. From then on [`Gauss::dense_at`] is not to be called.
     ///
     /// # Errors
     /// [`MotionError`] at a node.
@@ -314,9 +314,15 @@ impl Gauss {
             start.t = from.t + i as f64 * h;
             self.nodes.t = NODES.fused(Eight::from_f64(h), Eight::from_f64(start.t));
             let length = 1.0 / n_parts as f64;
-            lanes::evaluate(&self.coefficients, N - 1, i as f64 * length, length, &mut self.nodes.a);
+            let continue_polynomial = |gauss: &mut Self| {
+                lanes::evaluate(&gauss.coefficients, N - 1, i as f64 * length, length, &mut gauss.nodes.a);
+            };
+            continue_polynomial(self);
             write_weights(&start, h, tolerance, &mut self.weights);
-            self.sweep(system, &start, h)?;
+            // nodes of a part may be nearer to a singular position than those of the step
+            if self.sweep(system, &start, h)?.is_none() {
+                continue_polynomial(self);
+            }
             self.complete(system, &start, h);
             let Self { nodes, power, parts, .. } = self;
             let part = &mut parts[i];

@@ -52,6 +52,37 @@ impl Radau {
         (norm([&error.q, &error.v, &error.z], &self.weights), unfiltered)
     }
 
+    /// What the filter of the estimate takes away of it, twice, and leaves of that, over the tolerance of values between steps; nothing where the estimate
+    /// is below that.
+    ///
+    /// Of a motion that the step resolves it is of order 6 in the step, as the error is. Of an oscillation that is too fast for it and that the step damps, it
+    /// is as large as that up to hω = 3, and the part 3/(hω) of it beyond: y' = iωy. A spring as stiff as a rod, which turns, is none: its
+    /// velocities have an estimate of lower order, which would make steps shorter for nothing.
+    pub(super) fn error_of_oscillations(&mut self, h: f64, tolerance: Tolerance, estimate: f64) -> f64 {
+        let over = values_over_estimate(tolerance);
+        if estimate * over <= 1.0 {
+            return 0.0;
+        }
+        let Self { matrices, error, second_error: second, filtered, solution, weights, .. } = self;
+        let mut filter = |of: &mut State| {
+            for numbers in [&mut of.q, &mut of.v, &mut of.z] {
+                numbers.iter_mut().for_each(|x| *x *= GAMMA / h);
+            }
+            matrices.filter(h, of, solution);
+        };
+        second.copy_from(error);
+        for _ in 0..2 {
+            filtered.copy_from(second);
+            filter(filtered);
+            for (x, left) in [(&mut second.q, &filtered.q), (&mut second.v, &filtered.v), (&mut second.z, &filtered.z)]
+            {
+                x.iter_mut().zip(left).for_each(|(x, left)| *x -= left);
+            }
+        }
+        filter(second);
+        norm([&second.q, &second.v, &second.z], weights) * over
+    }
+
     /// The residual of the equations where no stage stands, less what of it the estimate is: of order 5 for a motion that the step resolves,
     /// and half of the estimate for another. Filtered as the estimate is, over the tolerance of values between steps; the estimate where
     /// that is larger, and for a stiff step.
@@ -93,7 +124,8 @@ impl Radau {
             return estimate;
         }
         matrices.slope_along(second, solution);
-        if size_of_forces(solution, system.mass_matrix(), weights) > STIFF * residual { estimate } else { larger }
+        self.is_stiff = size_of_forces(solution, system.mass_matrix(), weights) > STIFF * residual;
+        if self.is_stiff { estimate } else { larger }
     }
 
     /// The same with the Jacobians at the end of the step: those at its start hide what a force does that was stiff there and levels

@@ -64,9 +64,12 @@ pub(crate) struct Radau {
     share: f64,
     /// Reciprocals of what is tolerated, q then v then z.
     weights: Vec<f64>,
-    /// Estimate of the error of q, v, z and works, and a second look at it.
+    /// Whether the step is stiff, so that nothing tells how good its polynomial is.
+    is_stiff: bool,
+    /// Estimate of the error of q, v, z and works, a second look at it, and what a filter leaves of that.
     error: State,
     second_error: State,
+    filtered: State,
     solution: Vec<f64>,
     /// Rounding of the equations of motion, `n_q`, then of the rates of first-order states, `n_z`.
     rounding: Vec<f64>,
@@ -125,8 +128,10 @@ impl Radau {
             rate: 1.0,
             share: 1.0,
             weights: vec![0.0; 2 * n_q + n_z],
+            is_stiff: false,
             error: state.clone(),
             second_error: state.clone(),
+            filtered: state.clone(),
             solution: vec![0.0; n_q + n_c + n_z],
             rounding: vec![0.0; n_q + n_z],
             q: vec![0.0; n_q],
@@ -213,9 +218,11 @@ impl Radau {
             self.add_works(system, from.state, h);
         }
         self.finish(from.state, h, to);
+        self.is_stiff = false;
         let (mut error, unfiltered) = self.estimate(from, h);
         if error <= 1.0 {
-            error = self.second_look(system, from.state, h, tolerance, error);
+            let of_oscillations = self.error_of_oscillations(h, tolerance, error);
+            error = self.second_look(system, from.state, h, tolerance, error).max(of_oscillations);
         }
         if error < 1.0 && unfiltered > 1.0 {
             error = error.max(self.estimate_at_end(system, from, h, to));
@@ -320,6 +327,11 @@ impl Radau {
         std::mem::swap(&mut self.rest, &mut self.next_rest);
         self.before_s = Some(h);
         self.fresh = false;
+    }
+
+    /// Whether the last step is stiff.
+    pub(crate) fn is_stiff(&self) -> bool {
+        self.is_stiff
     }
 
     /// Whether another step of the same length would keep the factors.

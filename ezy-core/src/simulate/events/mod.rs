@@ -1,6 +1,6 @@
 //! Event location: roots of event functions within a step.
 //!
-//! After each step the event functions are sampled on its interpolant, at the ends of [`N_PARTS`] parts. A change of sign
+//! After each step the event functions are sampled on its interpolant, at the ends of equal parts. A change of sign
 //! between two samples is located. Where a parabola through three samples predicts a double root, it is searched for.
 
 mod double_root;
@@ -12,7 +12,7 @@ use super::stepping::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::integrate::{resolution_at, root, side_of};
 use crate::model::{EventInfo, EventKind, SceneRef};
-use crate::simulate::tolerances::events::{N_PARTS, NOTHING};
+use crate::simulate::tolerances::events::NOTHING;
 pub(super) use event_function::EventFunction;
 use step_samples::StepSamples;
 
@@ -48,10 +48,13 @@ pub(super) struct EventDetector {
 }
 
 impl EventDetector {
-    /// `like`: any state of the scene.
-    pub(super) fn new(function: EventFunction, events: &'static [EventInfo], like: &State) -> Self {
+    pub(super) fn new<P: SceneRef>(
+        function: EventFunction,
+        events: &'static [EventInfo],
+        stepper: &StepperState<P>,
+    ) -> Self {
         Self {
-            samples: StepSamples::new(function, events.len(), like),
+            samples: StepSamples::new(function, events.len(), stepper),
             events,
             n_told: events
                 .iter()
@@ -113,9 +116,14 @@ impl EventDetector {
         last
     }
 
+    /// Number of parts of a step at whose ends functions are sampled.
+    pub(super) fn n_parts(&self) -> usize {
+        self.samples.n_parts()
+    }
+
     /// Whether a value is below zero at the end of the step.
     pub(super) fn ends_below(&self) -> bool {
-        self.samples.values[N_PARTS].iter().any(|&value| value < 0.0)
+        self.samples.values().next_back().is_some_and(|values| values.iter().any(|&value| value < 0.0))
     }
 
     /// Finds the roots of a step, in time order.
@@ -126,7 +134,7 @@ impl EventDetector {
             self.begin();
         }
         for i in 0..self.n_told {
-            for part in 1..=N_PARTS {
+            for part in 1..=self.samples.n_parts() {
                 let ends = [part - 1, part].map(|k| self.samples.at(k, i));
                 match self.samples.double_root(stepper, i, part)? {
                     Some(lowest) => {
@@ -145,9 +153,8 @@ impl EventDetector {
     fn begin(&mut self) {
         self.fresh = false;
         for (i, side) in self.sides.iter_mut().enumerate() {
-            let values = &self.samples.values;
-            let largest = values.iter().fold(0.0, |largest: f64, values| largest.max(values[i].abs()));
-            let first = values[0][i];
+            let largest = self.samples.values().fold(0.0, |largest: f64, values| largest.max(values[i].abs()));
+            let (_, first) = self.samples.at(0, i);
             *side = if first.abs() > NOTHING * largest { side_of(first) } else { 0.0 };
         }
     }

@@ -6,31 +6,40 @@ use crate::dynamics::{MotionError, State};
 use crate::integrate::side_of;
 use crate::model::SceneRef;
 use crate::simulate::stepping::stepper_state::StepperState;
-use crate::simulate::tolerances::events::N_PARTS;
 
-/// Samples of event functions at the ends of [`N_PARTS`] parts of a step.
+/// Samples of event functions at the ends of parts of a step.
 pub(super) struct StepSamples {
     function: EventFunction,
     /// Times of the samples.
-    times: [f64; N_PARTS + 1],
+    times: Vec<f64>,
     /// Values there.
-    pub values: [Vec<f64>; N_PARTS + 1],
+    values: Vec<Vec<f64>>,
     /// Values at a time that is tried.
     tried: Vec<f64>,
     place: State,
 }
 
 impl StepSamples {
-    /// Of `n` functions; `like`: any state of the scene.
-    pub(super) fn new(function: EventFunction, n: usize, like: &State) -> Self {
-        let zeros = || vec![0.0; n];
+    /// Of `n` functions.
+    pub(super) fn new<P: SceneRef>(function: EventFunction, n: usize, stepper: &StepperState<P>) -> Self {
+        let n_places = stepper.n_parts() + 1;
         Self {
             function,
-            times: [0.0; N_PARTS + 1],
-            values: std::array::from_fn(|_| zeros()),
-            tried: zeros(),
-            place: like.clone(),
+            times: vec![0.0; n_places],
+            values: vec![vec![0.0; n]; n_places],
+            tried: vec![0.0; n],
+            place: stepper.now.state.clone(),
         }
+    }
+
+    /// Number of parts.
+    pub(super) fn n_parts(&self) -> usize {
+        self.values.len() - 1
+    }
+
+    /// Values at the start of the step, then at the end of each part.
+    pub(super) fn values(&self) -> impl DoubleEndedIterator<Item = &[f64]> {
+        self.values.iter().map(Vec::as_slice)
     }
 
     /// Time and value of function `i` at the end of part `k`, at the start of the step for `k = 0`.
@@ -41,15 +50,16 @@ impl StepSamples {
     /// Samples the functions over a step.
     pub(super) fn sample<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         let (from, to) = (stepper.now.state.t, stepper.next.state.t);
-        for part in 0..=N_PARTS {
-            let t = from + (to - from) * part as f64 / N_PARTS as f64;
-            let state = match part {
-                0 => &stepper.now.state,
-                N_PARTS => &stepper.next.state,
-                _ => {
-                    stepper.inside(t, &mut self.place)?;
-                    &self.place
-                }
+        let n_parts = self.n_parts();
+        for part in 0..=n_parts {
+            let t = from + (to - from) * part as f64 / n_parts as f64;
+            let state = if part == 0 {
+                &stepper.now.state
+            } else if part == n_parts {
+                &stepper.next.state
+            } else {
+                stepper.inside(t, &mut self.place)?;
+                &self.place
             };
             self.times[part] = state.t;
             self.function.read(&mut stepper.system, state, &mut self.values[part])?;
@@ -81,7 +91,7 @@ impl StepSamples {
             return Ok(None);
         }
         let place = |k: usize| (self.times[k], side * self.values[k][i]);
-        let others: [Option<usize>; 2] = [part.checked_sub(2), (part < N_PARTS).then_some(part + 1)];
+        let others: [Option<usize>; 2] = [part.checked_sub(2), (part < self.n_parts()).then_some(part + 1)];
         let others = others.map(|k| k.map(place));
         let lowest = double_root(place(part - 1), place(part), others.into_iter().flatten(), |t| {
             self.value(stepper, i, t).map(|value| side * value)

@@ -10,7 +10,6 @@ use super::{SetupError, SoftestImpact};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::resolution_at;
 use crate::model::{EventInfo, SceneRef, StopInfo};
-use crate::simulate::tolerances::events::N_PARTS;
 use crate::simulate::tolerances::modes::MAX_AT_ONCE;
 
 /// The law of a row.
@@ -254,7 +253,7 @@ impl Modes {
             }
             if let Some(i) = below {
                 // the event function began at zero and is below it at all samples: the mode ends before the first one
-                let h = (stepper.next.state.t - start) / N_PARTS as f64;
+                let h = (stepper.next.state.t - start) / self.rows[i].detector.n_parts() as f64;
                 if h <= resolution_at(start) {
                     return Ok(Cut::AtOnce(i));
                 }
@@ -324,5 +323,5 @@ fn detector<P: SceneRef>(law: Law, mode: usize, stepper: &StepperState<P>) -> Ev
         Law::Skate(skate) => stick_slip::function(skate, mode, stepper),
         Law::Stop(info) => contact::function(info, mode, stepper),
     };
-    EventDetector::new(function, events, &stepper.now.state)
+    EventDetector::new(function, events, stepper)
 }

@@ -237,6 +237,11 @@ impl<P: SceneRef> StepperState<P> {
         self.system.diagnosis().strain(state.t, &state.q, &state.v, a, lambda)
     }
 
+    /// Parts of a step at whose ends event functions are sampled.
+    pub(in crate::simulate) fn n_parts(&self) -> usize {
+        self.method.integrator.n_parts()
+    }
+
     /// The state at `t` between `now` and `next`, both evaluated; neither projected nor evaluated.
     pub(in crate::simulate) fn inside(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
         if self.singular_positions.between(t, out) {
@@ -245,13 +250,13 @@ impl<P: SceneRef> StepperState<P> {
         self.method.integrator.between(&mut self.system, self.now.node(), self.next.node(), t, out)
     }
 
-    /// The state at `t` between `now` and `next`, both evaluated; projected as the ends of steps are. Where the projection changes more than
-    /// the tolerance explains, it is the end of a step of its own.
+    /// The state at `t` between `now` and `next`, both evaluated; projected as the ends of steps are. Where the method asks for it, it is the end of a
+    /// step of its own.
     pub(in crate::simulate) fn find(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
         self.inside(t, out)?;
         self.projection.project(&mut self.system, out)?;
-        let is_off = !self.singular_positions.is_crossing() && self.method.integrator.is_off_constraints(&out.v);
-        if is_off && self.method.integrator.step_to(&mut self.system, self.now.node(), t, out)? {
+        let needs_step = !self.singular_positions.is_crossing() && self.method.integrator.needs_own_step(&out.v);
+        if needs_step && self.method.integrator.step_to(&mut self.system, self.now.node(), t, out)? {
             self.projection.project(&mut self.system, out)?;
         }
         Ok(())

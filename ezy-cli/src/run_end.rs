@@ -216,13 +216,19 @@ fn lifted(method: Method) -> Option<[f64; 2]> {
 
 /// What errors of steps add up to where they have one sign, of one more than each number.
 fn added_up(run: &Run, method: Method) -> Option<f64> {
-    method.lifted().tolerance().map(|tolerance| run.cost.steps as f64 * tolerance.relative)
+    method.lifted().tolerance().map(|tolerance| run.cost.steps as f64 * largest(tolerance))
 }
 
 fn added_up_text(run: &Run, method: Method) -> String {
     added_up(run, method).map_or(String::new(), |sum| {
-        format!("errors of these steps add up to {sum:.0e} of one more than each number at most, before the motion amplifies them\n")
+        format!("errors of these steps may add up to {sum:.1e} of one more than each number, before the motion amplifies them\n")
     })
+}
+
+/// What a step may change a number of one, or an angle, by.
+fn largest(tolerance: Tolerance) -> f64 {
+    let Tolerance { relative, absolute, angle } = tolerance;
+    relative.max(absolute).max(angle.unwrap_or_default())
 }
 
 /// Rounding of ten numbers or less is told by no remark.
@@ -307,9 +313,7 @@ fn remark(run: &Run, method: Method, radau_runs: bool) -> String {
 fn energy_remark(energy: EnergyError, steps: u64, method: Method, radau_runs: bool) -> String {
     let EnergyError { relative: share, t, .. } = energy;
     let explained = match method.tolerance() {
-        Some(Tolerance { relative, absolute, angle }) => {
-            ALLOWED.max(steps as f64) * relative.max(absolute).max(angle.unwrap_or_default())
-        }
+        Some(tolerance) => ALLOWED.max(steps as f64) * largest(tolerance),
         None => f64::INFINITY,
     };
     if share <= explained.min(EnergyError::LARGEST_OF_FIXED_STEPS) {

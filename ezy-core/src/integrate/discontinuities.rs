@@ -52,6 +52,9 @@ pub(crate) trait Discontinuities<D, T = f64> {
     /// What the step from `from` to `end` passes; its length ends at the first discontinuity.
     fn passage(&mut self, system: &mut D, from: Node<'_, T>, end: &State<T>) -> Passage;
 
+    /// Whether there are smoothed laws.
+    fn has_layers(&self) -> bool;
+
     /// Whether the share of a smoothed law changes by more than `by` between two states.
     fn turns(&mut self, system: &mut D, from: &State<T>, to: &State<T>, by: f64) -> bool;
 
@@ -75,6 +78,10 @@ pub(crate) struct Smooth;
 impl<D, T> Discontinuities<D, T> for Smooth {
     fn passage(&mut self, _system: &mut D, _from: Node<'_, T>, _end: &State<T>) -> Passage {
         Passage::Smooth
+    }
+
+    fn has_layers(&self) -> bool {
+        false
     }
 
     fn turns(&mut self, _system: &mut D, _from: &State<T>, _to: &State<T>, _by: f64) -> bool {
@@ -184,6 +191,10 @@ impl<P: SceneRef> Discontinuities<System<P>> for EventDiscontinuities {
             return Passage::Ends(length);
         }
         if self.turns(system, from.state, end, TURNED) { Passage::Layer } else { Passage::Smooth }
+    }
+
+    fn has_layers(&self) -> bool {
+        !self.layers.is_empty()
     }
 
     fn turns(&mut self, system: &mut System<P>, from: &State, to: &State, by: f64) -> bool {

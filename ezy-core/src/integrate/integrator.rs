@@ -2,7 +2,7 @@
 
 use super::discontinuities::Discontinuities;
 use super::hermite::Node;
-use super::tolerances::steps::N_PARTS;
+use super::tolerances::steps::EVENT_PARTS;
 use crate::archive::Archive;
 use crate::dynamics::{MotionError, Solved, State};
 use crate::scalar::Scalar;
@@ -94,8 +94,8 @@ pub(crate) trait Integrator<D, T: Scalar = f64>: Send {
     }
 
     /// Parts of a step at whose ends event functions are sampled.
-    fn n_parts(&self) -> usize {
-        N_PARTS
+    fn n_event_parts(&self) -> usize {
+        EVENT_PARTS
     }
 
     /// The smallest pivot within the last step, of a method whose steps are long enough to pass a singular position between their ends.
@@ -109,9 +109,14 @@ pub(crate) trait Integrator<D, T: Scalar = f64>: Send {
         None
     }
 
-    /// Whether the state that was found last, with the velocities `v` after its projection, is to be the end of a step of its own: the tolerance does
-    /// not explain what the projection changed, or nothing tells how good values between the ends of the step are.
-    fn needs_own_step(&self, _v: &[T]) -> bool {
+    /// Whether nothing tells how good values between the ends of the last step are, so that states there are to be ends of steps of their own.
+    fn is_unsure_between(&self) -> bool {
+        false
+    }
+
+    /// Whether the projection of the state that was found last changed its velocities, to `v`, by more than the tolerance explains, so that it is to be the
+    /// end of a step of its own.
+    fn is_off_constraints(&self, _v: &[T]) -> bool {
         false
     }
 

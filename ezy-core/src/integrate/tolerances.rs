@@ -28,7 +28,7 @@ pub(crate) mod steps {
     /// Unit: parts.
     /// Test: `analytic_two_passages_within_one_step_are_both_found`,
     /// and `analytic_slide_shorter_than_a_quarter_of_a_step_is_followed`.
-    pub(crate) const N_PARTS: usize = 4;
+    pub(crate) const EVENT_PARTS: usize = 4;
 
     /// Values between the ends of a step of DOP853 come from its polynomial while the estimate of its error is at most this many tolerances;
     /// the estimate is three to ten times the error, so that samples are as good as ends of steps.
@@ -248,7 +248,7 @@ pub(crate) mod gauss {
     /// change by a half, coefficients fall by three a degree, and by 4e-8 to the degree that the end sees; for twice the change by 3e-6.
     /// Unit: share of the largest force.
     /// Test: `cross_gauss_samples_of_slow_wheels_keep_to_the_tolerance`.
-    pub(crate) const TURNED: f64 = 0.5;
+    pub(crate) const TURNED_WITHIN: f64 = 0.5;
 
     /// Quasi-velocities give back the velocities that they are taken from up to the rounding of some ten operations over the smallest pivot: a length, such
     /// as that from a hinge to an axle, which may be a thousandth of the others.

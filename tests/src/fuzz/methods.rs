@@ -79,8 +79,8 @@ pub enum Judgement {
     Right,
     /// It stopped and said why.
     Stopped,
-    /// Beyond its bound, and it says why: it passes beside a singular position, where small errors decide, energy and works differ by more than the
-    /// tolerance explains, the equations round to more than that, or impacts are softer.
+    /// Beyond its bound, and it says why: errors of its steps add up to more, it passes beside a singular position, where small errors decide, energy and works
+    /// differ by more than the tolerance explains, the equations round to more than that, or impacts are softer.
     Doubtful,
     /// Beyond its bound without a word.
     Fault,
@@ -197,7 +197,7 @@ impl Case {
     ) -> Option<Motion> {
         let info = scene.info();
         let names = info.coordinates.iter().chain(&*info.velocities).map(|c| &*c.name);
-        let names = names.chain(info.states.iter().map(|state| &*state.name));
+        let names = names.chain(info.states.iter().map(|state| state.name));
         let start = names.zip(start).enumerate();
         let order = self.order(scene, Method::dop853(REFERENCE)).until(until_s).every(every_s);
         let order = start.fold(order, |order, (i, (name, value))| order.start(name, value + by(i)));
@@ -296,9 +296,10 @@ impl Case {
                 Ok(judged) => judged,
                 Err(judgement) => return tell(told(method, judgement, f64::NAN, amplification)),
             };
+            let is_right = excess <= MARGIN;
             // a run tells what errors of its steps add up to
             let told_by_run = MARGIN.max(motion.n_steps as f64);
-            let is_right = excess <= told_by_run;
+            let adds_up = excess <= told_by_run;
             // from here on `ezy run` remarks on the energy
             let tolerance = method.tolerance().map_or(f64::INFINITY, |t| t.relative);
             let explained = told_by_run * tolerance;
@@ -307,7 +308,7 @@ impl Case {
             // a soft impact more or less hardly moves the bodies
             let is_soft = method.tolerance().is_some_and(|t| motion.softest < MARGIN * t.absolute);
             let is_soft = is_soft && of_states <= told_by_run;
-            let remarks = motion.beside || motion.energy_error > explained || is_rounding || is_soft;
+            let remarks = adds_up || motion.beside || motion.energy_error > explained || is_rounding || is_soft;
             let judgement = match is_right {
                 true => Judgement::Right,
                 false if remarks => Judgement::Doubtful,

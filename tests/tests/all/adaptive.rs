@@ -152,7 +152,7 @@ fn analytic_force_that_changes_its_side_within_a_step_is_not_stepped_over() {
     const LARGEST: f64 = 100.0 * TOLERANCE;
     let mut n_rejected = 0;
     for i in 0..PLACES {
-        let side = 0.01 + 1.9 * f64::from(i) / f64::from(PLACES);
+        let side = 0.01 + 2.9 * f64::from(i) / f64::from(PLACES);
         let [slides, climbs]: [Box<dyn Scene>; 2] = [
             Box::new(crossing::Slides { side, push: PUSH, ..Default::default() }),
             Box::new(crossing::Climbs { side, push: PUSH, ..Default::default() }),
@@ -162,7 +162,8 @@ fn analytic_force_that_changes_its_side_within_a_step_is_not_stepped_over() {
             let found = run.last().get("puck.vy").unwrap();
             let expected = PUSH * (3.0 - 2.0 * side + by_ramp);
             assert!((found - expected).abs() <= LARGEST, "{side}: {found} {expected}");
-            n_rejected += run.cost.rejected;
+            // steps that would go over the ramp are taken again anyway
+            n_rejected += if by_ramp == 0.0 { run.cost.rejected } else { 0 };
         }
     }
     assert!(n_rejected > u64::from(PLACES), "{n_rejected}");

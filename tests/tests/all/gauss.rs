@@ -1,8 +1,8 @@
 //! Collocation at Gauss's nodes where its long steps could pass something over.
 
-use crate::scenes::distance;
 use ezy_core::prelude::*;
 use ezy_models::{ezy_roller, four_bar, roller_racer};
+use ezy_tests::garage::worse;
 
 /// Samples of a run.
 const N_SAMPLES: u32 = 32;
@@ -10,17 +10,21 @@ const N_SAMPLES: u32 = 32;
 /// What errors of some hundred steps add up to, in tolerances.
 const ADDED_UP: f64 = 100.0;
 
-/// The largest difference of samples to those of DOP853 at a far smaller tolerance, in tolerances.
+/// The largest difference of a number in the samples to that of DOP853 at a far smaller tolerance, in tolerances.
 fn excess(scene: &dyn Scene, until_s: f64, tolerance: f64, given: &[(&str, f64)]) -> f64 {
     let samples = |method| {
         let order = Simulation::new(scene).method(method).until(until_s).every(until_s / f64::from(N_SAMPLES));
-        given.iter().fold(order, |order, (name, value)| order.start(*name, *value)).project_start().run().unwrap()
+        let run =
+            given.iter().fold(order, |order, (name, value)| order.start(*name, *value)).project_start().run().unwrap();
+        assert!(run.outcome.reached_end() && run.samples().len() == N_SAMPLES as usize + 1, "{}", run.outcome);
+        run.samples().map(|sample| [sample.coordinates, sample.velocities].concat()).collect::<Vec<_>>()
     };
     let (run, reference) = (samples(Method::gauss(tolerance)), samples(Method::dop853(1e-12)));
-    let of = |sample: Sample<'_>| [sample.coordinates, sample.velocities].concat();
-    let size = reference.samples().flat_map(of).fold(1.0, |size: f64, x| size.max(x.abs()));
-    let pairs = run.samples().zip(reference.samples());
-    pairs.map(|(a, b)| distance(&of(a), &of(b)) / (size * tolerance)).fold(0.0, f64::max)
+    let excess_of = |i: usize| {
+        let size = reference.iter().fold(1.0, |size: f64, sample| size.max(sample[i].abs()));
+        run.iter().zip(&reference).fold(0.0, |most: f64, (a, b)| worse(most, a[i] - b[i])) / (size * tolerance)
+    };
+    (0..reference[0].len()).map(excess_of).fold(0.0, f64::max)
 }
 
 /// Where the wheels come to rest within a step and roll on, the small force of friction changes in a part of it, beside forces that are smooth over
@@ -49,5 +53,7 @@ fn cross_gauss_slides_shorter_than_a_third_of_a_step_are_followed() {
             Simulation::new(&scene).method(method).until(2.0).start("seat.omega", 1.0).project_start().run().unwrap();
         run.events().len()
     };
-    assert_eq!(events(Method::gauss(1e-9)), events(Method::dop853(1e-9)));
+    let n_expected = events(Method::dop853(1e-9));
+    assert!(n_expected > 50, "{n_expected} events");
+    assert_eq!(events(Method::gauss(1e-9)), n_expected);
 }

@@ -244,6 +244,10 @@ mod tests {
             self.0
         }
 
+        fn has_layers(&self) -> bool {
+            false
+        }
+
         fn turns(&mut self, _: &mut D, _: &State, _: &State, _: f64) -> bool {
             false
         }

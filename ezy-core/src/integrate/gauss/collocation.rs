@@ -7,7 +7,7 @@ use crate::dynamics::{MotionError, State, System, SystemError};
 use crate::integrate::discontinuities::{Discontinuities, Passage};
 use crate::integrate::family::{Family, MethodInfo, Needs};
 use crate::integrate::step_limit::{StepLimit, is_too_short, limited_step};
-use crate::integrate::tolerances::gauss::TURNED;
+use crate::integrate::tolerances::gauss::TURNED_WITHIN;
 use crate::integrate::tolerances::second_run::TIGHTER;
 use crate::integrate::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES};
 use crate::integrate::{Integrator, Node, Tolerance};
@@ -70,6 +70,9 @@ impl Family for Collocation {
 
 impl Collocation {
     /// Whether a smoothed law turns between the start and a node: steps are long enough for there and back.
+    ///
+    /// # Cost
+    /// Nine evaluations of the events, in scenes with such laws.
     fn turns_within<P: SceneRef>(
         &mut self,
         system: &mut System<P>,
@@ -77,12 +80,15 @@ impl Collocation {
         to: &State,
         discontinuities: &mut dyn Discontinuities<System<P>>,
     ) -> bool {
+        if !discontinuities.has_layers() {
+            return false;
+        }
         let Self { method, node, .. } = self;
         let node = node.get_or_insert_with(|| to.clone());
         NODES.0.iter().any(|&c| {
             method.dense_at(from, c, node);
             node.t = from.t + c * (to.t - from.t);
-            discontinuities.turns(system, from, node, TURNED)
+            discontinuities.turns(system, from, node, TURNED_WITHIN)
         })
     }
 }
@@ -104,7 +110,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
     }
 
     /// A step of order 16 goes over most of a period.
-    fn n_parts(&self) -> usize {
+    fn n_event_parts(&self) -> usize {
         NODES.0.len()
     }
 
@@ -132,7 +138,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
             self.method.dense_at(from.state, share, out);
         } else {
             let n_parts = Collocated::n_parts(self.dense_error);
-            self.method.dense_in_parts(system, from.state, n_parts, self.tolerance, share, out)?;
+            self.method.dense_in_parts(system, from.state, n_parts, self.tolerance, share, out);
         }
         out.t = t;
         Ok(())
@@ -162,13 +168,6 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
             match self.method.attempt(system, from, h, self.tolerance, to) {
                 Ok(Collocated::Solved { mut error, dense_error, rate }) => {
                     let passage = discontinuities.passage(system, from, to);
-                    let is_layer = passage == Passage::Layer
-                        || (error <= 1.0
-                            && dense_error > 1.0
-                            && self.turns_within(system, from.state, to, discontinuities));
-                    if is_layer {
-                        error = error.max(dense_error);
-                    }
                     if let Passage::Ends(shorter) = passage
                         && n_discontinuities < MAX_DISCONTINUITIES
                     {
@@ -178,19 +177,25 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
                         length = if is_cut { shorter } else { APPROACH * shorter };
                         self.rejected += 1;
                         continue;
-                    } else {
-                        let factor = self.control.factor(error, rate);
-                        if error <= 1.0 {
-                            to.t = t_next;
-                            self.dense_error = dense_error;
-                            self.is_cut = is_cut;
-                            // one that was cut short says little of the next
-                            let shortest = if h < length { length } else { 0.0 };
-                            self.step_s = Some(whole.unwrap_or((h * factor).max(shortest)));
-                            return Ok(());
-                        }
-                        length = h * factor;
                     }
+                    let is_layer = passage == Passage::Layer
+                        || (error <= 1.0
+                            && dense_error > 1.0
+                            && self.turns_within(system, from.state, to, discontinuities));
+                    if is_layer {
+                        error = error.max(dense_error);
+                    }
+                    let factor = self.control.factor(error, rate);
+                    if error <= 1.0 {
+                        to.t = t_next;
+                        self.dense_error = dense_error;
+                        self.is_cut = is_cut && discontinuities.are_crossed(system, from.state, &[to]);
+                        // one that was cut short says little of the next
+                        let shortest = if h < length { length } else { 0.0 };
+                        self.step_s = Some(whole.unwrap_or((h * factor).max(shortest)));
+                        return Ok(());
+                    }
+                    length = h * factor;
                 }
                 Ok(Collocated::Diverged) => length = h * self.control.failed(),
                 // a node may have left the region where the equations are defined; a shorter step may not

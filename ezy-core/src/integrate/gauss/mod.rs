@@ -281,10 +281,8 @@ impl Gauss {
     }
 
     /// The same by the end of a step of their own for each of `n_parts` equal parts, whose polynomials have errors as many times smaller to the
-    /// power 9; by the polynomial of the step where sweeps of a part do not converge. From then on [`Gauss::dense_at`] is not to be called.
+    /// power 9; by the polynomial of the step where sweeps of a part fail. From then on [`Gauss::dense_at`] is not to be called.
     ///
-    /// # Errors
-    /// [`MotionError`] at a node.
     /// # Cost
     /// Once a step, a few sweeps for each part up to `s`.
     pub(crate) fn dense_in_parts<P: SceneRef>(
@@ -295,7 +293,7 @@ impl Gauss {
         tolerance: Tolerance,
         s: f64,
         out: &mut State,
-    ) -> Result<(), MotionError> {
+    ) {
         let of_parts = s * n_parts as f64;
         let wanted = (of_parts as usize).min(n_parts - 1);
         let h = self.tried_s.unwrap_or_default() / n_parts as f64;
@@ -320,7 +318,7 @@ impl Gauss {
             continue_polynomial(self);
             write_weights(&start, h, tolerance, &mut self.weights);
             // nodes of a part may be nearer to a singular position than those of the step
-            if self.sweep(system, &start, h)?.is_none() {
+            if !matches!(self.sweep(system, &start, h), Ok(Some(_))) {
                 continue_polynomial(self);
             }
             self.complete(system, &start, h);
@@ -333,7 +331,6 @@ impl Gauss {
             self.n_parts += 1;
         }
         self.parts[wanted].interpolate(h, of_parts - wanted as f64, out);
-        Ok(())
     }
 }
 

@@ -136,12 +136,19 @@ impl<P: SceneRef> Integrator<System<P>> for Implicit {
         Ok(())
     }
 
-    /// In a stiff step, and where neither the tolerance nor rounding explains what projection changed.
-    fn needs_own_step(&self, v: &[f64]) -> bool {
-        self.method.is_stiff() || self.correction(v) > self.rounding.max(1.0)
+    fn is_unsure_between(&self) -> bool {
+        self.method.is_stiff()
+    }
+
+    /// Neither the tolerance nor rounding explains it.
+    fn is_off_constraints(&self, v: &[f64]) -> bool {
+        self.correction(v) > self.rounding.max(1.0)
     }
 
     /// By one step, or by so many that their iteration converges, up to four.
+    ///
+    /// # Cost
+    /// Jacobians, a factorisation and an iteration for each state.
     fn step_to(
         &mut self,
         system: &mut System<P>,

@@ -22,7 +22,7 @@ pub(super) struct StepSamples {
 impl StepSamples {
     /// Of `n` functions.
     pub(super) fn new<P: SceneRef>(function: EventFunction, n: usize, stepper: &StepperState<P>) -> Self {
-        let n_places = stepper.n_parts() + 1;
+        let n_places = stepper.n_event_parts() + 1;
         Self {
             function,
             times: vec![0.0; n_places],

@@ -238,8 +238,8 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// Parts of a step at whose ends event functions are sampled.
-    pub(in crate::simulate) fn n_parts(&self) -> usize {
-        self.method.integrator.n_parts()
+    pub(in crate::simulate) fn n_event_parts(&self) -> usize {
+        self.method.integrator.n_event_parts()
     }
 
     /// The state at `t` between `now` and `next`, both evaluated; neither projected nor evaluated.
@@ -253,13 +253,25 @@ impl<P: SceneRef> StepperState<P> {
     /// The state at `t` between `now` and `next`, both evaluated; projected as the ends of steps are. Where the method asks for it, it is the end of a
     /// step of its own.
     pub(in crate::simulate) fn find(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
+        let is_crossing = self.singular_positions.is_crossing();
+        if !is_crossing && self.method.integrator.is_unsure_between() && self.step_to(t, out)? {
+            return Ok(());
+        }
         self.inside(t, out)?;
         self.projection.project(&mut self.system, out)?;
-        let needs_step = !self.singular_positions.is_crossing() && self.method.integrator.needs_own_step(&out.v);
-        if needs_step && self.method.integrator.step_to(&mut self.system, self.now.node(), t, out)? {
-            self.projection.project(&mut self.system, out)?;
+        if !is_crossing && self.method.integrator.is_off_constraints(&out.v) {
+            self.step_to(t, out)?;
         }
         Ok(())
+    }
+
+    /// The end of a step of its own, projected; false where there is none.
+    fn step_to(&mut self, t: f64, out: &mut State) -> Result<bool, MotionError> {
+        let is_found = self.method.integrator.step_to(&mut self.system, self.now.node(), t, out)?;
+        if is_found {
+            self.projection.project(&mut self.system, out)?;
+        }
+        Ok(is_found)
     }
 
     /// Ends the motion at `t` between `now` and `next`: `next` becomes the state there, projected and evaluated.

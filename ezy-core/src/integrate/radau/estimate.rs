@@ -52,11 +52,11 @@ impl Radau {
         (norm([&error.q, &error.v, &error.z], &self.weights), unfiltered)
     }
 
-    /// What the filter of the estimate takes away of it, twice, and leaves of that, over the tolerance of values between steps; nothing where the estimate
-    /// is below that.
+    /// What the filter of the estimate takes away of it, twice, and leaves of that, twice, over the tolerance of values between steps; nothing where the
+    /// estimate is below that.
     ///
     /// Of a motion that the step resolves it is of order 6 in the step, as the error is. Of an oscillation that is too fast for it and that the step damps, it
-    /// is as large as that up to hω = 3, and the part 3/(hω) of it beyond: y' = iωy. A spring as stiff as a rod, which turns, is none: its
+    /// is as large as that up to hω = 3, and the part (3/(hω))² of it beyond: y' = iωy. A spring as stiff as a rod, which turns, is none: its
     /// velocities have an estimate of lower order, which would make steps shorter for nothing.
     pub(super) fn error_of_oscillations(&mut self, h: f64, tolerance: Tolerance, estimate: f64) -> f64 {
         let over = values_over_estimate(tolerance);
@@ -71,6 +71,8 @@ impl Radau {
             matrices.filter(h, of, solution);
         };
         second.copy_from(error);
+        filter(second);
+        filter(second);
         for _ in 0..2 {
             filtered.copy_from(second);
             filter(filtered);
@@ -79,7 +81,6 @@ impl Radau {
                 x.iter_mut().zip(left).for_each(|(x, left)| *x -= left);
             }
         }
-        filter(second);
         norm([&second.q, &second.v, &second.z], weights) * over
     }
 

@@ -190,7 +190,7 @@ impl Radau {
     /// # Errors
     /// [`MotionError`] when accelerations at the start cannot be found.
     /// # Cost
-    /// Three residuals and two solves a pass; up to five solves and a residual for the estimate; two factorisations when the length of the step changes;
+    /// Three residuals and two solves a pass; up to six solves and a residual for the estimate; two factorisations when the length of the step changes;
     /// Jacobians and one factorisation more where stiffness hides the estimate, and new ones for the next step; no allocation. Where the
     /// iteration does not converge, in scenes with at most 80 equations, a factorisation of all stages together
     /// a pass.

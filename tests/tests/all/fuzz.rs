@@ -1,4 +1,4 @@
-//! Random parameters, starts and inputs; many more by the example `fuzz`.
+//! Random parameters, starts and inputs; many more by the example `measure`.
 
 use std::path::Path;
 use std::time::UNIX_EPOCH;
@@ -73,7 +73,7 @@ fn regress_parameters_far_apart_are_refused_or_confirmed() {
     assert!(tally.of(Verdict::AccelerationsConfirmed) > FAR_APART.len() as u64, "too few are solved:\n{tally}");
 }
 
-/// Motions by every method, of which each takes some fifteen runs; many more by the example `methods`.
+/// Motions by every method, of which each takes some fifteen runs; many more by the example `measure`.
 const N_MOTIONS: u64 = 12;
 
 /// As many again with a seed of the day.
@@ -91,7 +91,7 @@ fn cross_random_motions_are_the_same_by_every_method() {
     }
 }
 
-/// Runs whose estimated error is compared with the true one; many more by the example `estimates`.
+/// Runs whose estimated error is compared with the true one; many more by the example `measure`.
 const N_ESTIMATES: u64 = 60;
 
 #[test]

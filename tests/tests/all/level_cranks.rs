@@ -1,5 +1,5 @@
 //! Parallel cranks through their level position: right, or refused with the rows and the reason that are true. All members, and
-//! radau, which takes minutes without optimisation: the example `cranks`.
+//! radau, which takes minutes without optimisation: the example `measure`.
 
 #![allow(non_snake_case)]
 

@@ -61,7 +61,7 @@ pub fn cases() -> Vec<Case> {
     .collect()
 }
 
-/// Every eleventh member of the family of `parallel_cranks`, which `tests/examples/cranks.rs` runs as a whole: each number of cranks,
+/// Every eleventh member of the family of `parallel_cranks`, which `tests/examples/measure` runs as a whole: each number of cranks,
 /// written out and with a count.
 const OF_FAMILY: usize = 11;
 

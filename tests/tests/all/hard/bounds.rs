@@ -1,4 +1,4 @@
-//! Hard cases that run in a second or two keep what the page says; `examples/hard_cases.rs` runs all.
+//! Hard cases that run in a second or two keep what the page says; the example `measure` runs all.
 
 use ezy_tests::hard::case::{By, How, METHODS, Pace, Purpose};
 use ezy_tests::hard::families::families;

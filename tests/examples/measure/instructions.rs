@@ -1,10 +1,8 @@
 //! Machine instructions of scenes: of a right side, of a step of RK4, of steps of Taylor's method and of a part of a motion by collocation.
 //!
-//! `cargo run --release --example instructions` counts with valgrind, when it is installed, and prints a table; with
-//! `-- --write` it goes into `docs/cost.md`, with `-- --check` it is compared with the table there, if that was counted with
-//! the same compiler, library and processor. Something is done n times and 2n times, and the difference counts, so that
-//! start and end of a program cancel.
+//! Something is done n times and 2n times, and the difference counts, so that start and end of a program cancel.
 
+use clap::Args;
 use ezy_core::integrate::Method;
 use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;
@@ -18,7 +16,7 @@ use ezy_tests::plain_rollers::{coasting, drifting, pumped};
 use std::error::Error;
 use std::hint::black_box;
 
-type Outcome = Result<(), Box<dyn Error>>;
+use super::Outcome;
 
 /// Long enough that a few instructions more in a start are less than one of what is counted.
 const N: u64 = 2000;
@@ -86,12 +84,31 @@ const SCENES: [(&str, &str, Repeat); 9] = [
     ("pushed", "SliderCrank", repeat::<slider_crank::Pushed>),
 ];
 
-fn main() -> Outcome {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if let [scene, column, n] = &arguments[..] {
-        SCENES[scene.parse::<usize>()?].2(column.parse()?, n.parse()?)?;
-        return Ok(());
-    }
+/// Counts machine instructions of scenes with valgrind, where that is installed
+#[derive(Debug, Args)]
+pub(crate) struct Asked {
+    /// Write the table into docs/cost.md
+    #[arg(long)]
+    write: bool,
+    /// Compare it with the table there, if that was counted with the same compiler, library and processor
+    #[arg(long, conflicts_with = "write")]
+    check: bool,
+}
+
+/// What a program under valgrind repeats.
+#[derive(Debug, Args)]
+pub(crate) struct Counted {
+    scene: usize,
+    column: usize,
+    n: u64,
+}
+
+pub(crate) fn repeat_scene(counted: &Counted) -> Outcome {
+    let (_, _, repeat) = SCENES.get(counted.scene).ok_or("there is no such scene")?;
+    repeat(counted.column, counted.n).map(|_| ())
+}
+
+pub(crate) fn run(asked: &Asked) -> Outcome {
     if !is_installed() {
         println!("valgrind is not installed; instructions are not counted");
         return Ok(());
@@ -105,20 +122,19 @@ fn main() -> Outcome {
         table.push(&format!("`{scene}`, {model}"), counts);
     }
     print!("{table}");
-    match arguments.first().map(String::as_str) {
-        Some("--write") => write_part("cost.md", "instructions", &table.to_string())?,
-        Some("--check") => {
-            let page = std::fs::read_to_string(docs("cost.md"))?;
-            let recorded = part(&page, "instructions").and_then(CountTable::read);
-            println!("{}", table.compare(&recorded.ok_or("docs/cost.md has no table of instructions")?)?);
-        }
-        _ => {}
+    if asked.write {
+        write_part("cost.md", "instructions", &table.to_string())?;
+    }
+    if asked.check {
+        let page = std::fs::read_to_string(docs("cost.md"))?;
+        let recorded = part(&page, "instructions").and_then(CountTable::read);
+        println!("{}", table.compare(&recorded.ok_or("docs/cost.md has no table of instructions")?)?);
     }
     Ok(())
 }
 
 /// Instructions of what a column counts.
 fn count(scene: usize, column: usize) -> Result<u64, Box<dyn Error>> {
-    let of = |n: u64| instructions(&[scene.to_string(), column.to_string(), n.to_string()]);
+    let of = |n: u64| instructions(&["count-scene".to_owned(), scene.to_string(), column.to_string(), n.to_string()]);
     Ok((of(2 * N)?.saturating_sub(of(N)?)) / N)
 }

@@ -1,8 +1,8 @@
 //! What monitors cost, and what compensated sums are worth in a long run.
 //!
-//! `cargo run --release --example long_runs` prints two tables; with `-- --write` they go into `docs/cost.md`. Instructions are
-//! counted with valgrind, when it is installed, as the difference of two runs.
+//! Instructions are counted as the difference of two runs.
 
+use clap::Args;
 use ezy_core::prelude::*;
 use ezy_core::testing::{GivenSteps, StepsBy};
 use ezy_models::{ezy_roller, knife_edge, pendulum, roller_racer};
@@ -10,7 +10,7 @@ use ezy_tests::count_table::{instructions, is_installed};
 use ezy_tests::page::write_part;
 use std::error::Error;
 
-type Outcome = Result<(), Box<dyn Error>>;
+use super::Outcome;
 
 /// Steps that are counted.
 const N: u64 = 2000;
@@ -20,8 +20,25 @@ const STEP_S: f64 = 1e-3;
 /// What is counted: unwatched by a stepper, watched in a run; both with works.
 const COUNTED: [&str; 4] = ["stepper", "run", "stepper with works", "run with works"];
 
+/// Measures what monitors cost and what compensated sums are worth in a long run
+///
+/// Instructions are counted with valgrind, where that is installed.
+#[derive(Debug, Args)]
+pub(crate) struct Asked {
+    /// Write the tables into docs/cost.md
+    #[arg(long)]
+    write: bool,
+}
+
+/// What a program under valgrind does.
+#[derive(Debug, Args)]
+pub(crate) struct Counted {
+    which: usize,
+    n: u64,
+}
+
 /// Does `COUNTED[which]` for `n` steps of the driven EzyRoller.
-fn repeat(which: usize, n: u64) -> Outcome {
+pub(crate) fn repeat(&Counted { which, n }: &Counted) -> Outcome {
     let scene = ezy_roller::Driven::default();
     let order = Simulation::new(&scene).method(Method::rk4(STEP_S)).until(n as f64 * STEP_S);
     let order = if which < 2 { order } else { order.work() };
@@ -36,7 +53,7 @@ fn repeat(which: usize, n: u64) -> Outcome {
 fn monitors_table() -> Result<String, Box<dyn Error>> {
     let mut counts = [0; COUNTED.len()];
     for (which, count) in counts.iter_mut().enumerate() {
-        let of = |n: u64| instructions(&[which.to_string(), n.to_string()]);
+        let of = |n: u64| instructions(&["count-run".to_owned(), which.to_string(), n.to_string()]);
         *count = (of(2 * N)?.saturating_sub(of(N)?)) / N;
     }
     let [stepper, run, stepper_with_works, run_with_works] = counts;
@@ -96,19 +113,14 @@ fn compensation_table() -> Result<String, Box<dyn Error>> {
     Ok(table)
 }
 
-fn main() -> Outcome {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if let [which, n] = &arguments[..] {
-        return repeat(which.parse()?, n.parse()?);
-    }
-    let write = arguments.first().is_some_and(|argument| argument == "--write");
+pub(crate) fn run(asked: &Asked) -> Outcome {
     let mut tables = vec![("compensation", compensation_table()?)];
     if is_installed() {
         tables.push(("monitors", monitors_table()?));
     }
     for (part, table) in tables {
         println!("{table}");
-        if write {
+        if asked.write {
             write_part("cost.md", part, &table)?;
         }
     }

@@ -1,19 +1,25 @@
 //! Parallel cranks through their level position, by every method.
-//!
-//! `cargo run --release -p ezy-tests --example cranks` runs the whole family and prints what came of it: runs within their bound, beyond
-//! it, and refused, with the message. A word runs the settings whose name holds it (`taylor`, `radau 1e-9`), a second one
-//! the members whose name does (`"5 cranks"`).
 
+use clap::Args;
 use ezy_tests::parallel_cranks::judge::Verdict;
 use ezy_tests::parallel_cranks::members::members;
 use ezy_tests::parallel_cranks::table::run_all;
 
-fn main() {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let (setting, name) = (arguments.first(), arguments.get(1));
+/// Runs parallel cranks through their level position by every method
+///
+/// Prints what came of it: runs within their bound, beyond it, and refused, with the message.
+#[derive(Debug, Args)]
+pub(crate) struct Asked {
+    /// Only settings whose name holds this, as `taylor` or `radau 1e-9`
+    setting: Option<String>,
+    /// Only members whose name holds this, as `5 cranks`
+    member: Option<String>,
+}
+
+pub(crate) fn run(asked: &Asked) {
     let mut members = members();
-    members.retain(|member| name.is_none_or(|name| member.name.contains(name.as_str())));
-    let table = run_all(&members, setting.map(String::as_str), |member, setting, judged| {
+    members.retain(|member| asked.member.as_ref().is_none_or(|name| member.name.contains(name)));
+    let table = run_all(&members, asked.setting.as_deref(), |member, setting, judged| {
         let said = match &judged.verdict {
             Verdict::Refused(message) => format!("refused: {message}"),
             Verdict::Untrue(message) => format!("UNTRUE: {message}"),

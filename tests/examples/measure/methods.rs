@@ -1,40 +1,38 @@
 //! Motions by every method, judged by a reference and by their own amplification: random ones, or all scenes as they are.
-//!
-//! `cargo run --release -p ezy-tests --example methods -- 1000 --seed 1`
-//! `cargo run --release -p ezy-tests --example methods -- --scenes [SCENE] [--write]`: each over its time and three times that, a line for each run, as
-//! CSV; writes the figure of `docs/accuracy.md`
 
 use std::collections::BTreeMap;
-use std::path::Path;
-use std::process::ExitCode;
 
+use clap::Args;
 use ezy_core::report::figure::Figure;
 use ezy_models::registry::MODELS;
 use ezy_tests::fuzz::Scenes;
 use ezy_tests::fuzz::methods::{Case, MARGIN, Told};
+use ezy_tests::page::docs;
+
+use super::{Outcome, Random};
 
 /// Times of a scene's own.
 const TIMES: [f64; 2] = [1.0, 3.0];
 
-fn main() -> ExitCode {
-    let words: Vec<String> = std::env::args().skip(1).collect();
-    let option = |name: &str, otherwise: u64| match words.iter().position(|word| word == name) {
-        Some(i) => words.get(i + 1).and_then(|text| text.parse().ok()),
-        None => Some(otherwise),
-    };
-    if words.first().is_some_and(|word| word == "--scenes") {
-        let only = words[1..].iter().find(|word| !word.starts_with("--")).map_or("", |word| word);
-        return scenes(only, words.iter().any(|word| word == "--write"));
-    }
-    let n = words.first().and_then(|text| text.parse::<u64>().ok());
-    let (Some(n), Some(seed), Some(first)) = (n, option("--seed", 1), option("--first", 0)) else {
-        eprintln!("usage: methods N [--seed S] [--first I], or methods --scenes [SCENE]");
-        return ExitCode::from(2);
-    };
+/// Runs every scene by every method over its time and three times that, judged by a reference and by its own amplification
+///
+/// Prints a line for each run, as CSV.
+#[derive(Debug, Args)]
+pub(crate) struct Asked {
+    /// Only scenes whose name holds this
+    #[arg(value_name = "MODEL/SCENE", default_value = "", hide_default_value = true)]
+    only: String,
+    /// Write the figure of docs/accuracy.md
+    #[arg(long)]
+    write: bool,
+}
+
+/// Random motions.
+pub(crate) fn random(random: &Random) -> Outcome {
     let scenes = Scenes::all();
     let (mut verdicts, mut n_faults, mut n_skipped) = (BTreeMap::new(), 0, 0);
-    for i in first..first + n {
-        let faults = Case::new(&scenes, seed, i).judge(|told| {
+    for i in random.cases() {
+        let faults = Case::new(&scenes, random.seed, i).judge(|told| {
             *verdicts.entry((told.judgement, told.method.name())).or_insert(0_u64) += 1;
             n_skipped += told.n_skipped;
         });
@@ -47,7 +45,11 @@ fn main() -> ExitCode {
         println!("{n:>9} {method} {verdict:?}");
     }
     println!("{n_skipped:>9} samples within crossings of singular positions, not compared");
-    ExitCode::from(u8::from(n_faults > 0))
+    told(n_faults)
+}
+
+fn told(n_faults: usize) -> Outcome {
+    if n_faults == 0 { Ok(()) } else { Err(format!("{n_faults} faults").into()) }
 }
 
 /// Tolerances of runs, and their errors in tolerances times amplification.
@@ -59,8 +61,7 @@ const SMALLEST: f64 = 1e-4;
 /// Methods of one tolerance stand beside each other in the figure, by this factor.
 const BESIDE: f64 = 1.5;
 
-/// Every scene whose name contains `only`.
-fn scenes(only: &str, write: bool) -> ExitCode {
+pub(crate) fn run(Asked { only, write }: &Asked) -> Outcome {
     let (mut n_faults, mut points) = (0, Points::new());
     println!("scene,times,method,setting,judgement,excess,amplification,steps,skipped");
     for model in MODELS {
@@ -84,11 +85,10 @@ fn scenes(only: &str, write: bool) -> ExitCode {
             }
         }
     }
-    if write && let Err(error) = figure(points).save(Path::new("docs"), "accuracy-tolerances") {
-        eprintln!("docs/accuracy-tolerances.svg cannot be written: {error}; run this where the repository is");
-        return ExitCode::FAILURE;
+    if *write {
+        figure(points).save(&docs(""), "accuracy-tolerances")?;
     }
-    ExitCode::from(u8::from(n_faults > 0))
+    told(n_faults)
 }
 
 /// Errors over tolerances, with the bound.

@@ -1,6 +1,4 @@
 //! A sweep of a billion runs as a job array on a hundred nodes that fail: hours, and what failures cost. Simulated event by event.
-//!
-//! `cargo run --release -p ezy-tests --example job_array`: the tables of `docs/many-runs.md`.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -118,7 +116,7 @@ fn array(run_s: f64, between_s: f64, kept: Kept, seed: u64) -> Done {
     Done { hours: end_s / 3600.0, n_failures, computed: computed / N_CASES }
 }
 
-fn main() {
+pub(crate) fn run() {
     for run_s in RUNS_S {
         let ideal = N_CASES * run_s / CORES_OF_A_NODE / N_NODES as f64 / 3600.0;
         println!("Runs of {run_s} s; without failures and starts: {ideal:.2} h\n");

@@ -1,13 +1,7 @@
 //! Hard cases with their bounds, what every method reaches at the tolerance of the reference, and what a plain program does; and every
 //! method at three tolerances.
-//!
-//! `cargo run --release -p ezy-tests --example hard_cases` runs all of them, some minutes, and prints the tables; with
-//! `-- --write` they go into `docs/hard-cases.md`. `-- --methods` runs every case by every method at three tolerances, up to a
-//! quarter of an hour, and with `--write` writes `docs/hard-cases-methods.md`. `-- --check` fails where a bound that a page says is
-//! kept is missed, but for bounds on times, where a page and the program do not have the same cases, methods, quantities and bounds, and
-//! where a run by a method that was quick when the page was written has become worse. It leaves out the cases that take minutes, unless
-//! `--long` is given. A further word runs only the cases whose name holds it.
 
+use clap::Args;
 use ezy_tests::hard::case::Case;
 use ezy_tests::hard::families::families;
 use ezy_tests::hard::methods;
@@ -16,25 +10,44 @@ use ezy_tests::page::{docs, write_part};
 use std::error::Error;
 use std::time::Instant;
 
+use super::Outcome;
+
 const PAGE: &str = "hard-cases.md";
 const METHODS_PAGE: &str = "hard-cases-methods.md";
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let asks = |word: &str| arguments.iter().any(|argument| argument == word);
-    let filter = arguments.iter().find(|argument| !argument.starts_with("--"));
-    if filter.is_some() && asks("--write") {
-        return Err("`--write` takes all cases; leave the name out".into());
-    }
-    let is_asked = |case: &Case| {
-        filter.is_none_or(|word| case.name.contains(word)) && (!asks("--check") || is_checked(case, asks("--long")))
-    };
+/// Runs hard cases with their bounds, at the tolerance of the reference, beside a plain program: some minutes
+#[derive(Debug, Args)]
+pub(crate) struct Asked {
+    /// Only cases whose name holds this
+    #[arg(conflicts_with = "write")]
+    name: Option<String>,
+    /// Run every case by every method at three tolerances instead, up to a quarter of an hour
+    #[arg(long)]
+    methods: bool,
+    /// Write the tables into docs/hard-cases.md, or docs/hard-cases-methods.md
+    #[arg(long)]
+    write: bool,
+    /// Fail where a bound is missed that a page says is kept
+    ///
+    /// Bounds on times are left out. Fails as well where a page and the program do not have the same cases, methods, quantities and bounds, and where a run by
+    /// a method that was quick when the page was written has become worse.
+    #[arg(long)]
+    check: bool,
+    /// Check the cases that take minutes, too
+    #[arg(long, requires = "check")]
+    long: bool,
+}
+
+pub(crate) fn run(asked: &Asked) -> Outcome {
+    let Asked { name, methods, write, check, long } = asked;
+    let is_asked =
+        |case: &Case| name.as_ref().is_none_or(|name| case.name.contains(name)) && (!check || is_checked(case, *long));
     let mut different = Vec::new();
-    if !asks("--methods") {
-        different.extend(at_stated_tolerance(is_asked, asks("--check"), asks("--write"))?);
+    if !methods {
+        different.extend(at_stated_tolerance(is_asked, *check, *write)?);
     }
-    if asks("--methods") || asks("--check") {
-        different.extend(at_three_tolerances(is_asked, asks("--check"), asks("--write"))?);
+    if *methods || *check {
+        different.extend(at_three_tolerances(is_asked, *check, *write)?);
     }
     if different.is_empty() { Ok(()) } else { Err(different.join("\n").into()) }
 }

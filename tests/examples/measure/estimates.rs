@@ -1,19 +1,16 @@
 //! Estimates of the error of runs beside their true errors: every scene by every method.
-//!
-//! `cargo run --release -p ezy-tests --example estimates -- [SCENE] [--write]`: prints those that are off by more than a factor of five, and
-//! writes the figure of `docs/accuracy.md`.
-//! `cargo run --release -p ezy-tests --example estimates -- --random N [--seed S] [--first I]`: random runs, many of one to three steps; prints those
-//! whose estimate is below a fifth of the error, or above a hundred times it.
 
 use std::collections::BTreeMap;
-use std::path::Path;
-use std::process::ExitCode;
 
+use clap::Args;
 use ezy_core::prelude::*;
 use ezy_core::report::figure::Figure;
 use ezy_tests::estimates::{Judged, Question, Reference};
 use ezy_tests::fuzz::Scenes;
 use ezy_tests::fuzz::estimates::{Estimated, LARGEST, SMALLEST, estimated};
+use ezy_tests::page::docs;
+
+use super::{Outcome, Random};
 
 /// Tolerances of the methods that have one.
 const TOLERANCES: [f64; 6] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
@@ -27,18 +24,20 @@ const FACTOR: f64 = 5.0;
 /// Errors of positions over whole runs, and the estimates over them.
 type Points = BTreeMap<&'static str, (Vec<f64>, Vec<f64>)>;
 
-fn main() -> ExitCode {
-    let words: Vec<String> = std::env::args().skip(1).collect();
-    if let Some(at) = words.iter().position(|word| word == "--random") {
-        let number = |at: Option<usize>| at.and_then(|at| words.get(at + 1)).and_then(|word| word.parse::<u64>().ok());
-        let option = |name: &str| number(words.iter().position(|word| word == name));
-        let Some(n) = number(Some(at)) else {
-            eprintln!("usage: estimates --random N [--seed S] [--first I]");
-            return ExitCode::from(2);
-        };
-        return random(n, option("--seed").unwrap_or(1), option("--first").unwrap_or(0));
-    }
-    let only = words.iter().find(|word| !word.starts_with("--")).map_or("", |word| word);
+/// Compares the estimates of the errors of every scene by every method with the true errors
+///
+/// Prints those that are off by more than a factor of five.
+#[derive(Debug, Args)]
+pub(crate) struct Asked {
+    /// Only scenes whose name holds this
+    #[arg(value_name = "MODEL/SCENE", default_value = "", hide_default_value = true)]
+    only: String,
+    /// Write the figure of docs/accuracy.md, where the repository is
+    #[arg(long)]
+    write: bool,
+}
+
+pub(crate) fn run(Asked { only, write }: &Asked) -> Outcome {
     let (mut points, mut n, mut low, mut high) = (Points::new(), 0, 0, 0);
     for model in ezy_models::registry::MODELS {
         for entry in model.scenes {
@@ -85,21 +84,18 @@ fn main() -> ExitCode {
         }
     }
     println!("{n} compared; beyond a factor of {FACTOR}: {low} too low, {high} too high");
-    if words.iter().any(|word| word == "--write")
-        && let Err(error) = figure(points).save(Path::new("docs"), "accuracy-estimates")
-    {
-        eprintln!("docs/accuracy-estimates.svg cannot be written: {error}; run this where the repository is");
-        return ExitCode::FAILURE;
+    if *write {
+        figure(points).save(&docs(""), "accuracy-estimates")?;
     }
-    ExitCode::from(u8::from(low > 0))
+    if low == 0 { Ok(()) } else { Err(format!("{low} estimates are too low").into()) }
 }
 
 /// Random runs.
-fn random(n: u64, seed: u64, first: u64) -> ExitCode {
+pub(crate) fn random(random: &Random) -> Outcome {
     let scenes = Scenes::all();
     let [mut n_judged, mut n_values, mut n_low, mut n_high, mut no_reference, mut no_estimate] = [0_u64; 6];
-    for i in first..first + n {
-        match estimated(&scenes, seed, i) {
+    for i in random.cases() {
+        match estimated(&scenes, random.seed, i) {
             Estimated::NoReference => no_reference += 1,
             Estimated::NoEstimate => no_estimate += 1,
             Estimated::Judged { command, judged } => {
@@ -118,11 +114,15 @@ fn random(n: u64, seed: u64, first: u64) -> ExitCode {
             }
         }
     }
+    let Random { n, seed, .. } = random;
     println!(
         "{n} random runs, seed {seed}: {n_judged} judged, {no_reference} without a reference, {no_estimate} without an estimate; \
          {n_values} errors above rounding, {n_low} estimates below a fifth, {n_high} above a hundred times"
     );
-    ExitCode::from(u8::from(n_low > 0 || n_high * 100 > n_values))
+    if n_low > 0 || n_high * 100 > n_values {
+        return Err("estimates are too low, or too many too high".into());
+    }
+    Ok(())
 }
 
 fn methods(until_s: f64) -> impl Iterator<Item = Method> {

@@ -1,5 +1,6 @@
 //! Estimates of the error of a run beside its true error.
 
+use crate::dynamic::simulation;
 use crate::garage::worse;
 use ezy_core::integrate::PreciseMotion;
 use ezy_core::model::Name;
@@ -72,7 +73,7 @@ impl<'s> Question<'s> {
     }
 
     fn order(&self, method: Method) -> Simulation<'s, &'s dyn Scene> {
-        let order = Simulation::new(self.scene).method(method).until(self.until_s).every(self.until_s / N_INTERVALS);
+        let order = simulation(self.scene).method(method).until(self.until_s).every(self.until_s / N_INTERVALS);
         let order = order.without_events().project_start().max_steps(self.most_steps);
         self.given.iter().fold(order, |order, (name, value)| order.start(&**name, *value))
     }

@@ -3,6 +3,7 @@
 pub mod count_table;
 pub mod crank;
 mod described;
+pub mod dynamic;
 pub mod estimates;
 pub mod fuzz;
 pub mod garage;

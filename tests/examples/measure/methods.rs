@@ -44,7 +44,9 @@ pub(crate) fn random(random: &Random) -> Outcome {
     for ((verdict, method), n) in verdicts {
         println!("{n:>9} {method} {verdict:?}");
     }
-    println!("{n_skipped:>9} samples within crossings of singular positions, not compared");
+    println!(
+        "{n_skipped:>9} samples in crossings of singular positions, or between an event of one run and of another, not compared"
+    );
     told(n_faults)
 }
 

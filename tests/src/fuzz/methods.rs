@@ -12,6 +12,7 @@ pub use super::reference::MARGIN;
 use super::reference::{
     ABOVE_REFERENCE, Amplification, MOVED, Motion, REFERENCE, Reference, amplification, late, motion, scale,
 };
+use crate::dynamic::{simulation, system_of};
 use crate::garage::worse;
 
 /// Tolerances that methods are judged at; a random case draws two between the first and the last.
@@ -99,7 +100,7 @@ pub struct Told {
     pub amplification: f64,
     /// Steps.
     pub n_steps: u64,
-    /// Samples that are not compared, since they lie in a crossing of a singular position.
+    /// Samples that are not compared: in a crossing of a singular position, or between an event of one run and of another.
     pub n_skipped: usize,
 }
 
@@ -115,6 +116,7 @@ pub struct Fault {
 /// A run with its errors, in tolerances times amplification.
 struct Judged {
     motion: Motion,
+    n_skipped: usize,
     excess: f64,
     of_states: f64,
 }
@@ -148,7 +150,7 @@ impl Case {
     }
 
     /// The same over another time.
-    pub(super) fn over(self, until_s: f64) -> Self {
+    pub fn over(self, until_s: f64) -> Self {
         Self { until_s, ..self }
     }
 
@@ -169,7 +171,7 @@ impl Case {
 
     fn order<'s>(&self, scene: &'s dyn Scene, method: Method) -> Simulation<'s, &'s dyn Scene> {
         let every_s = self.until_s / N_SAMPLES as f64;
-        let order = Simulation::new(scene).method(method).until(self.until_s).every(every_s);
+        let order = simulation(scene).method(method).until(self.until_s).every(every_s);
         let info = scene.info();
         let n_unknowns = (info.n_coordinates() + info.n_rows()).max(1) as u64;
         let order = order.max_steps(MOST_NUMBERS / n_unknowns).project_start();
@@ -234,7 +236,7 @@ impl Case {
         let n_multipliers = start.len() - n_state - info.n_effects();
         let parts = [0..n_state, n_state..n_state + n_multipliers, n_state + n_multipliers..start.len()];
         let velocities = n_q..2 * n_q;
-        let masses = System::new(scene, Backend::Auto).map_err(|_| Judgement::NoReference)?;
+        let masses = system_of(scene, Backend::Auto).map_err(|_| Judgement::NoReference)?;
         let kinetic = masses.mass_matrix().iter().zip(&scale[velocities.clone()]);
         let kinetic: f64 = kinetic.map(|(mass, scale)| mass * (scale - 1.0) * scale).sum();
         // a work is known as well as the energy of a state
@@ -292,7 +294,7 @@ impl Case {
         };
         let mut faults = Vec::new();
         let mut judge = |method: Method, amplification: f64, outcome: Result<Judged, Judgement>| {
-            let Judged { motion, excess, of_states } = match outcome {
+            let Judged { motion, n_skipped, excess, of_states } = match outcome {
                 Ok(judged) => judged,
                 Err(judgement) => return tell(told(method, judgement, f64::NAN, amplification)),
             };
@@ -317,7 +319,6 @@ impl Case {
             if judgement == Judgement::Fault {
                 faults.push(Fault { case: self.clone(), method, excess, amplification });
             }
-            let n_skipped = motion.crosses.iter().filter(|crosses| **crosses).count();
             tell(Told { n_steps: motion.n_steps, n_skipped, ..told(method, judgement, excess, amplification) });
         };
         for &tolerance in &self.tolerances {
@@ -333,7 +334,12 @@ impl Case {
                     let of_states = of_states / tolerance;
                     let amplifies = excess > MARGIN && reference.branches(&motion, tolerance);
                     let is_known = !amplifies && reference.amplification.of_states() <= LARGEST_AMPLIFICATION;
-                    if is_known { Ok(Judged { motion, excess, of_states }) } else { Err(Judgement::Amplifies) }
+                    let n_skipped = reference.n_skipped(&motion);
+                    if is_known {
+                        Ok(Judged { motion, n_skipped, excess, of_states })
+                    } else {
+                        Err(Judgement::Amplifies)
+                    }
                 });
                 judge(method, reference.amplification.of_states(), judged);
             }
@@ -347,7 +353,7 @@ impl Case {
                 let told = reference.error(&motion, &finer).max(least);
                 // more events or fewer with half the step tell that either is wrong
                 let excess = if told.is_finite() { reference.error(&motion, &reference.motion) / told } else { 1.0 };
-                Ok(Judged { motion, excess, of_states: f64::NAN })
+                Ok(Judged { n_skipped: reference.n_skipped(&motion), motion, excess, of_states: f64::NAN })
             });
             judge(method, reference.amplification.of_states(), run);
         }
@@ -424,7 +430,7 @@ impl Case {
         if !info.switches.is_empty() {
             return None;
         }
-        let mut system = System::new(scene, Backend::Auto).ok()?;
+        let mut system = system_of(scene, Backend::Auto).ok()?;
         let Reference { motion, scale, parts: [of_states, of_multipliers, _], .. } = reference;
         let mut multipliers = |t: f64, state: &[f64]| {
             let (q, rest) = state.split_at(info.n_coordinates());

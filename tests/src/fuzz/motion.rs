@@ -1,5 +1,6 @@
 //! A short run: it comes to its end with sound numbers, or says why not.
 
+use crate::dynamic::simulation;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 
@@ -52,7 +53,7 @@ impl Order {
 /// # Errors
 /// What is wrong with the numbers of a run that says nothing of it.
 pub fn check(scene: &dyn Scene, order: &Order) -> Result<Verdict, String> {
-    let mut simulation = Simulation::new(scene)
+    let mut simulation = simulation(scene)
         .method(order.method)
         .until(order.until_s)
         .backend(order.backend)

@@ -10,6 +10,7 @@ use super::accelerations;
 use super::draw::Draw;
 use super::motion::{self, Order};
 use super::tally::{Tally, Verdict};
+use crate::dynamic::system_of;
 use crate::{random_models, shapes};
 
 /// Most members of a scene, the product of its counts: beyond it the oracle, and a net at singular positions in a build without
@@ -71,7 +72,7 @@ pub fn compare(scenes: &Scenes, name: &str, parameters: &[(&str, f64)], tally: &
         scene.set_parameter(i.expect("a parameter of this name"), *value);
     }
     let mut draw = Draw::new(0, 0);
-    let Ok(mut system) = System::new(&*scene, Backend::Auto) else {
+    let Ok(mut system) = system_of(&*scene, Backend::Auto) else {
         return tally.count(Verdict::ParametersRefused);
     };
     let start = system.consistent_start(&system.scene_start());
@@ -90,7 +91,7 @@ fn attempt(scene: &dyn Scene, order: &Order, draw: &mut Draw, tally: &mut Tally)
         Ok(verdict) => tally.count(verdict),
         Err(fault) => tally.faults.push(fault),
     };
-    let Ok(mut system) = System::new(scene, Backend::Auto) else {
+    let Ok(mut system) = system_of(scene, Backend::Auto) else {
         return keep(Ok(Verdict::ParametersRefused));
     };
     set_inputs(&mut system, order);

@@ -35,6 +35,8 @@ pub(super) struct Motion {
     /// Samples in stretches across a singular position, which the run names: at a distance D from it velocities carry errors of
     /// positions multiplied by 1/D².
     pub(super) crosses: Vec<bool>,
+    /// Times of samples, s.
+    pub(super) times: Vec<f64>,
     pub(super) crosses_any: bool,
     /// The run remarks that it passes beside a singular position.
     pub(super) beside: bool,
@@ -118,6 +120,12 @@ impl Reference {
         differences(a, b, &self.scale, &self.parts).fold(0.0, |most, [states, ..]| worse(most, states))
     }
 
+    /// Samples that are not compared.
+    pub(super) fn n_skipped(&self, motion: &Motion) -> usize {
+        let n = motion.samples.len().min(self.motion.samples.len());
+        (0..n).filter(|n| is_skipped(motion, &self.motion, *n)).count()
+    }
+
     pub(super) fn error_of_events(&self, a: &Motion, b: &Motion) -> f64 {
         self.amplification.of_events.map_or(0.0, |grown| late(a, b) / grown)
     }
@@ -161,6 +169,7 @@ pub(super) fn motion(run: &Run) -> Option<Motion> {
                     .fold(0.0, |most: f64, sample| most.max(sample.energy.kinetic + sample.energy.potential.abs())),
                 events: run.events().iter().map(|occurred| occurred.state.t).collect(),
                 crosses: run.samples().take(n).map(|sample| crosses(sample.t)).collect(),
+                times: run.samples().take(n).map(|sample| sample.t).collect(),
                 crosses_any: !run.rank.crossings.is_empty(),
                 beside: run.rank.crossings.iter().any(|crossed| crossed.is_beside()),
                 energy_error: run.monitors.energy.map_or(0.0, |energy| energy.relative),
@@ -181,10 +190,19 @@ pub(super) fn scale(reference: &Motion) -> Vec<f64> {
 
 /// The largest differences of states, multipliers and works in each pair of samples that can be compared, of their scale; NaN where one is none.
 pub(super) fn differences(a: &Motion, b: &Motion, scale: &[f64], parts: &Parts) -> impl Iterator<Item = [f64; 3]> {
-    let pairs = a.samples.iter().zip(&b.samples).zip(a.crosses.iter().zip(&b.crosses));
-    pairs.filter(|(_, (a, b))| !*a && !*b).map(move |((a, b), _)| {
+    let pairs = a.samples.iter().zip(&b.samples).enumerate().filter(|(n, _)| !is_skipped(a, b, *n));
+    pairs.map(move |(_, (a, b))| {
         parts.clone().map(|range| range.fold(0.0, |m: f64, i| worse(m, (a[i] - b[i]) / scale[i])))
     })
+}
+
+/// Whether sample `n` of two runs is not compared: in a stretch across a singular position, or after an event of one run and before that of the other, where an
+/// impact parts velocities; times of events are compared by themselves.
+pub(super) fn is_skipped(a: &Motion, b: &Motion, n: usize) -> bool {
+    let t = a.times[n];
+    let parted =
+        a.events.len() == b.events.len() && a.events.iter().zip(&b.events).any(|(a, b)| (*a <= t) != (*b <= t));
+    a.crosses[n] || b.crosses[n] || parted
 }
 
 /// The largest difference of times of events, s; infinite where there are more or fewer.

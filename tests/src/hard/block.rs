@@ -1,9 +1,10 @@
 //! The `model` block of a reference, evaluated as it is written: a second derivation of rows and forces to hold a
 //! scene against, so that no number of a hand-written model is mistyped.
 
+use crate::dynamic::system_of;
 use crate::garage::{Names, list, number, number_or_zero, worse};
 use ezy_core::model::Scene;
-use ezy_core::prelude::{Backend, System};
+use ezy_core::prelude::Backend;
 use serde_json::Value;
 
 /// Random states at which a scene is compared.
@@ -136,7 +137,7 @@ impl At<'_> {
 /// # Panics
 /// When a number is missing in the block, a body in the scene, or the scene has another number of rows.
 pub fn difference(model: &Value, scene: &dyn Scene, names: Names<'_>) -> f64 {
-    let system = System::new(scene, Backend::Auto).expect("a scene that can be set up");
+    let system = system_of(scene, Backend::Auto).expect("a scene that can be set up");
     let (info, c, mass) = (system.info(), system.fixed(), system.mass_matrix());
     let index = |body: &Value| {
         let theirs = body["name"].as_str().expect("a name");

@@ -1,8 +1,9 @@
 //! What a first program does: RK4 with a fixed step on accelerations from a dense LU factorisation of K, without
 //! projection and without a look at the rank. It calls the kernels of the scene, so that only the method differs.
 
+use crate::dynamic::system_of;
 use ezy_core::model::Scene;
-use ezy_core::prelude::{Backend, System};
+use ezy_core::prelude::Backend;
 use nalgebra::{DMatrix, DVector};
 
 /// A scene in the hands of that program.
@@ -23,7 +24,7 @@ impl<'s> Naive<'s> {
     /// # Panics
     /// When the scene cannot be set up.
     pub fn new(scene: &'s dyn Scene, q: &[f64], v: &[f64]) -> Self {
-        let system = System::new(scene, Backend::Auto).expect("a scene that can be set up");
+        let system = system_of(scene, Backend::Auto).expect("a scene that can be set up");
         let (fixed, mass) = (system.fixed().to_vec(), system.mass_matrix().to_vec());
         Self { scene, fixed, mass, state: [q, v].concat(), lambda: vec![0.0; system.info().n_rows()] }
     }

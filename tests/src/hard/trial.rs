@@ -3,6 +3,7 @@
 use super::case::{Check, Ended, Findings, Program};
 use super::naive::Naive;
 use super::subject::Subject;
+use crate::dynamic::simulation;
 use crate::garage::worse;
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::Scene;
@@ -128,7 +129,7 @@ impl<'a> Trial<'a> {
     }
 
     fn order(&self, method: Method) -> Simulation<'_, &dyn Scene> {
-        let order = Simulation::new(self.scene).method(method);
+        let order = simulation(self.scene).method(method);
         self.given.iter().fold(order, |order, (name, value)| order.start(name.clone(), *value))
     }
 

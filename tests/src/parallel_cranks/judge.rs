@@ -2,6 +2,7 @@
 
 use super::members::Member;
 use super::pendulum::{Course, Swing};
+use crate::dynamic::simulation;
 use crate::garage::worse;
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::Scene;
@@ -76,7 +77,7 @@ pub fn judge(member: &Member, course: &Course, method: Method) -> Judged {
 /// The order of a run, with every crank at its start.
 pub fn order<'s>(member: &Member, scene: &'s (dyn Scene + 's)) -> Simulation<'s, &'s dyn Scene> {
     let Swing { angle, rate } = member.start;
-    (0..member.cranks.n()).fold(Simulation::new(scene), |order, k| {
+    (0..member.cranks.n()).fold(simulation(scene), |order, k| {
         let name = member.cranks.name(k);
         order.start(format!("{name}.phi"), angle).start(format!("{name}.omega"), rate)
     })

@@ -4,6 +4,7 @@ use ezy_core::accuracy::{Accuracy, AccuracyError, Ladder, Measured, PointResult,
 use ezy_core::prelude::*;
 use ezy_models::registry::find;
 use ezy_models::{double_pendulum, ezy_roller};
+use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::load;
 
 /// Two references with 31 digits from starts that differ in the last bit, and their rounding to f64.
@@ -36,7 +37,7 @@ fn cross_errors_of_the_coasting_roller_are_those_against_another_reference() {
     let answer = load("ezyroller_coast").into_iter().next_back().unwrap();
     assert_eq!(found.until_s, answer.t);
     for (method, point) in found.curve("rk4", Variant::default()) {
-        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let run = simulation(&scene).method(method).run().unwrap();
         let last = run.last();
         let expected = [
             largest(last.coordinates, &answer.q),

@@ -4,6 +4,7 @@ use crate::scenes::{Case, distance, driven};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
 use ezy_models::ezy_roller;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::load;
 
 model! {
@@ -45,7 +46,7 @@ fn reference_driven_at_all_samples() {
     let reference = load("ezyroller_driven");
     for Case { route, scene } in driven() {
         for (method, bar) in [(Method::dop853(1e-14), DRIVEN_BY_DOP853), (Method::taylor(1e-15), DRIVEN_BY_TAYLOR)] {
-            let run = Simulation::new(&*scene).method(method).every(0.5).run().unwrap();
+            let run = simulation(&*scene).method(method).every(0.5).run().unwrap();
             for r in &reference {
                 let s =
                     run.samples().find(|s| (s.t - r.t).abs() < 1e-9).expect("a sample at the time of the reference");
@@ -67,7 +68,7 @@ fn order_error_follows_the_tolerance() {
     for (method, until_s, tolerances) in cases {
         let end = reference.iter().find(|r| r.t == until_s).expect("a reference at the end");
         let [loose, tight] = tolerances.map(|tolerance| {
-            let run = Simulation::new(&scene).method(method(tolerance)).until(until_s).run().unwrap();
+            let run = simulation(&scene).method(method(tolerance)).until(until_s).run().unwrap();
             distance(run.last().coordinates, &end.q)
         });
         let order = (loose / tight).log10() / 4.0;
@@ -83,7 +84,7 @@ fn invariant_samples_do_not_change_the_motion_and_meet_the_constraints() {
             if method.kind() == MethodKind::Radau && scene.jacobian_places().is_none() {
                 continue;
             }
-            let order = || Simulation::new(&*scene).method(method).until(10.0).work();
+            let order = || simulation(&*scene).method(method).until(10.0).work();
             let [bare, sampled] = [order().run().unwrap(), order().every(0.013).run().unwrap()];
             let (route, end) = (format!("{route}, {}", method.name()), sampled.last());
             assert_eq!((bare.last().coordinates, bare.last().work), (end.coordinates, end.work), "{route}");
@@ -113,7 +114,7 @@ const FALL_S: f64 = 1.110_720_734_539_591_6;
 fn analytic_singular_force_ends_the_run_with_what_was_computed() {
     let scene = falling::Fall::default();
     for method in [Method::dop853(1e-9), Method::taylor(1e-9)] {
-        let run = Simulation::new(&scene).method(method).every(0.1).run().unwrap();
+        let run = simulation(&scene).method(method).every(0.1).run().unwrap();
         let Outcome::Stopped { t, reason: StopReason::Motion(_), .. } = run.outcome else { panic!("{}", run.outcome) };
         // the last steps cannot resolve the last 1e-9 of the way, which takes 1e-13 s
         assert!((t - FALL_S).abs() <= 1e-6, "{}: stopped at {t} s", method.name());
@@ -126,7 +127,7 @@ fn analytic_tolerances_out_of_range_are_refused() {
     let scene = ezy_roller::Coast::default();
     for tolerance in [0.0, -1e-9, 10.0, f64::NAN, f64::INFINITY] {
         for method in METHODS {
-            let outcome = Simulation::new(&scene).method(method(tolerance)).run();
+            let outcome = simulation(&scene).method(method(tolerance)).run();
             assert!(matches!(outcome, Err(SetupError::Tolerance { .. })), "{} {tolerance}", method(1.0).name());
         }
     }
@@ -136,7 +137,7 @@ fn analytic_tolerances_out_of_range_are_refused() {
 fn analytic_steppers_need_a_fixed_step() {
     let scene = ezy_roller::Coast::default();
     for method in METHODS.map(|method| method(1e-9)) {
-        let error = Simulation::new(&scene).method(method).stepper().map(|_| ()).unwrap_err();
+        let error = simulation(&scene).method(method).stepper().map(|_| ()).unwrap_err();
         assert!(matches!(error, SetupError::NeedsFixedStep { method: name } if name == method.name()), "{error}");
     }
 }
@@ -158,7 +159,7 @@ fn analytic_force_that_changes_its_side_within_a_step_is_not_stepped_over() {
             Box::new(crossing::Climbs { side, push: PUSH, ..Default::default() }),
         ];
         for (scene, by_ramp) in [(slides, 0.0), (climbs, 0.5)] {
-            let run = Simulation::new(&*scene).method(Method::gauss(TOLERANCE)).run().unwrap();
+            let run = simulation(&*scene).method(Method::gauss(TOLERANCE)).run().unwrap();
             let found = run.last().get("puck.vy").unwrap();
             let expected = PUSH * (3.0 - 2.0 * side + by_ramp);
             assert!((found - expected).abs() <= LARGEST, "{side}: {found} {expected}");

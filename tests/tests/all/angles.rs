@@ -3,6 +3,7 @@
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
+use ezy_tests::dynamic::{simulation, system_of};
 
 model! {
     /// Two discs on an elastic shaft that turns at 30,000 rad/s.
@@ -24,7 +25,7 @@ const METHODS: [fn(f64) -> Method; 4] = [Method::dop853, Method::taylor, Method:
 /// Largest error of the twist, 0.1 cos(10 t), over the run, and the number of steps.
 fn error(method: Method) -> (f64, u64) {
     let scene = shaft::Run::default();
-    let run = Simulation::new(&scene).method(method).outputs().every(0.25).run().unwrap();
+    let run = simulation(&scene).method(method).outputs().every(0.25).run().unwrap();
     assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
     let errors = run.samples().map(|s| (s.get("output.twist").unwrap() - 0.1 * (10.0 * s.t).cos()).abs());
     (errors.fold(0.0, f64::max), run.cost.steps)
@@ -58,7 +59,7 @@ fn cross_tolerances_below_rounding_are_not_pursued() {
     let scene = shaft::Run::default();
     for method in METHODS {
         let steps = |tolerance| {
-            let run = Simulation::new(&scene).method(method(tolerance)).max_steps(20_000).run().unwrap();
+            let run = simulation(&scene).method(method(tolerance)).max_steps(20_000).run().unwrap();
             assert!(run.outcome.reached_end(), "{}: {}", method(tolerance).name(), run.outcome);
             run.cost.steps + run.cost.rejected
         };
@@ -72,7 +73,7 @@ fn cross_tolerances_below_rounding_are_not_pursued() {
 fn analytic_angle_beyond_the_resolution_of_doubles_ends_a_run() {
     let scene = shaft::Run::default();
     for method in METHODS {
-        let run = Simulation::new(&scene).method(method(1e-6).angle_tolerance(1e-11)).run().unwrap();
+        let run = simulation(&scene).method(method(1e-6).angle_tolerance(1e-11)).run().unwrap();
         let Outcome::Stopped { reason: StopReason::Motion(MotionError::AngleUnresolved { .. }), .. } = &run.outcome
         else {
             panic!("{}", run.outcome)
@@ -83,7 +84,7 @@ fn analytic_angle_beyond_the_resolution_of_doubles_ends_a_run() {
         let angle = run.last().get("right.phi").unwrap();
         assert!(f64::EPSILON * angle <= 1e-11 && angle > 0.0, "{angle}");
     }
-    let start = System::new(&scene, Backend::Auto).unwrap().scene_start();
+    let start = system_of(&scene, Backend::Auto).unwrap().scene_start();
     let method = Method::dop853(1e-6).angle_tolerance(1e-11);
     let mut run = Sensitivities::new(&scene, &start, ["k"], method).unwrap();
     assert!(matches!(run.advance(10.0), Err(MotionError::AngleUnresolved { .. })));
@@ -94,7 +95,7 @@ fn invariant_tolerances_of_angles_that_are_none_are_refused() {
     let scene = shaft::Run::default();
     for method in METHODS {
         for rad in [0.0, -1.0, f64::NAN, 2.0] {
-            let error = Simulation::new(&scene).method(method(1e-6).angle_tolerance(rad)).run().unwrap_err();
+            let error = simulation(&scene).method(method(1e-6).angle_tolerance(rad)).run().unwrap_err();
             assert!(matches!(error, SetupError::AngleTolerance { .. }), "{error}");
         }
     }
@@ -104,7 +105,7 @@ fn invariant_tolerances_of_angles_that_are_none_are_refused() {
 fn cross_estimate_of_the_error_follows_the_tolerance_of_angles() {
     let scene = shaft::Run::default();
     let method = Method::dop853(1e-6).angle_tolerance(1e-7);
-    let run = Simulation::new(&scene).method(method).every(0.25).estimate_error().run().unwrap();
+    let run = simulation(&scene).method(method).every(0.25).estimate_error().run().unwrap();
     let estimate = run.error_estimate.as_ref().unwrap().as_ref().unwrap();
     let of_angles = estimate.errors.iter().find(|error| error.unit == "rad").unwrap();
     let exact = |t: f64| 0.5 * (0.1 + 60000.0 * t + 0.1 * (10.0 * t).cos());

@@ -6,6 +6,7 @@ use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_models::mechanisms::{four_bar::four_bar, pendulum::pendulum};
 use ezy_models::registry::MODELS;
+use ezy_tests::dynamic::{simulation, system_of};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 
 ezy_core::model! {
@@ -63,7 +64,7 @@ fn assert_elbow_is_kept_or_refused(
     bars: [usize; 2],
     modes: [[f64; 2]; 2],
 ) -> usize {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     let mut n_refused = 0;
     for near in guesses() {
         let start = start_from(system.info().bodies.len(), held, bars, near);
@@ -136,7 +137,7 @@ fn analytic_pantograph_is_not_folded_in_silence() {
 fn invariant_folded_pantograph_is_refused_with_both_modes_when_all_give_way() {
     let scene = pantograph::Drawing::default();
     let order = |inner: f64, outer: f64| {
-        let order = Simulation::new(&scene).until(0.0).project_start().start("arm.phi", FRAC_PI_3);
+        let order = simulation(&scene).until(0.0).project_start().start("arm.phi", FRAC_PI_3);
         order.start("pen.phi", -FRAC_PI_3).start("inner.phi", inner).start("outer.phi", outer).run()
     };
     let mut n_refused = 0;
@@ -156,7 +157,7 @@ fn invariant_folded_pantograph_is_refused_with_both_modes_when_all_give_way() {
 #[test]
 fn invariant_mode_that_was_reached_runs_when_it_is_asked_for() {
     let scene = uneven_four_bar();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = |near| start_from(3, &[(0, FRAC_PI_2)], [1, 2], near);
     let refused = guesses().find_map(|near| match system.consistent_start(&start(near)) {
         Err(StartError::OtherAssemblyMode { values }) => Some(values),
@@ -172,12 +173,8 @@ fn invariant_mode_that_was_reached_runs_when_it_is_asked_for() {
 /// Guesses are for a crank that is upright; it is held a right angle and a radian away.
 #[test]
 fn analytic_near_values_that_move_by_radians_are_told() {
-    let run = Simulation::new(&uneven_four_bar())
-        .until(0.0)
-        .start("crank.phi", -1.0)
-        .start("crank.omega", 0.0)
-        .run()
-        .unwrap();
+    let run =
+        simulation(&uneven_four_bar()).until(0.0).start("crank.phi", -1.0).start("crank.omega", 0.0).run().unwrap();
     let [[coupler, rocker], _] = two_bars([(-1.0_f64).cos(), (-1.0_f64).sin()], [1.3, 0.0], [1.4, 1.2]);
     let told: Vec<(&str, &str, f64)> = run.moved.iter().map(|value| (&*value.name, value.unit, value.given)).collect();
     assert_eq!(told, [("coupler.phi", "rad", 0.0), ("rocker.phi", "rad", FRAC_PI_2)]);
@@ -191,7 +188,7 @@ fn analytic_near_values_that_move_by_radians_are_told() {
 #[test]
 fn analytic_projected_velocities_are_told() {
     let scene = four_bar::Turning::default();
-    let order = Simulation::new(&scene).until(0.0).start("crank.omega", -1.0).start("rocker.omega", -0.5);
+    let order = simulation(&scene).until(0.0).start("crank.omega", -1.0).start("rocker.omega", -0.5);
     let run = order.project_start().run().unwrap();
     let told: Vec<(&str, &str, f64)> = run.moved.iter().map(|value| (&*value.name, value.unit, value.given)).collect();
     assert_eq!(told, [("crank.omega", "rad/s", -1.0), ("rocker.omega", "rad/s", -0.5)]);
@@ -203,7 +200,7 @@ fn analytic_projected_velocities_are_told() {
 fn analytic_last_digits_of_a_guess_are_not_told() {
     let scene = pendulum::Swing::default();
     for (off, n_told) in [(2e-7, 0), (-2e-7, 0), (1e-5, 1), (-1e-5, 1)] {
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let mut start = Start::free(3);
         start.give_position(0, FRAC_PI_3.cos());
         start.near_position(2, FRAC_PI_3 + off);
@@ -221,7 +218,7 @@ fn invariant_no_scene_is_told_anything_of_its_own_start_nor_refused_nearby() {
     let mut n = 0;
     for entry in MODELS.iter().flat_map(|model| model.scenes) {
         let scene = (entry.new)();
-        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut system = system_of(&*scene, Backend::Auto).unwrap();
         let given = system.scene_start();
         let state = system.consistent_start(&given).unwrap();
         assert_eq!(system.moved_values(&given, &state), [], "{}/{}", scene.info().model, entry.name);

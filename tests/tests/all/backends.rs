@@ -2,12 +2,13 @@
 
 use crate::scenes::{Case, all, distance};
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 
 /// Rounding of 1e3 steps, amplified by at most 10.
 const SAME_MOTION: f64 = 1e-12;
 
 fn end(case: &Case, backend: Backend) -> Vec<f64> {
-    let run = Simulation::new(&*case.scene).method(Method::rk4(1e-3)).backend(backend).until(1.0).run().unwrap();
+    let run = simulation(&*case.scene).method(Method::rk4(1e-3)).backend(backend).until(1.0).run().unwrap();
     assert!(run.outcome.reached_end(), "{}: {}", case.route, run.outcome);
     run.last().numbers().collect()
 }

@@ -2,6 +2,7 @@
 
 use crate::scenes::assert_checks;
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 
 model! {
     /// A stiff, long spring that is hardly stretched.
@@ -40,7 +41,7 @@ const STRETCH_ENERGY: f64 = 2.0 * f64::EPSILON * 5.0 / 1e-6;
 #[test]
 fn analytic_energy_of_a_small_stretch_keeps_its_digits() {
     let scene = stiff_spring::Swing::default();
-    let run = Simulation::new(&scene).work().method(Method::rk4(1e-6)).every(1e-4).run().unwrap();
+    let run = simulation(&scene).work().method(Method::rk4(1e-6)).every(1e-4).run().unwrap();
     let energy = 0.5 * scene.k * scene.stretch.powi(2);
     for s in run.samples() {
         let total = s.energy.kinetic + s.energy.potential;
@@ -56,7 +57,7 @@ fn fd_long_spring_passes_the_checks() {
 
 #[test]
 fn analytic_laws_without_divisor_are_no_force() {
-    let run = Simulation::new(&coinciding::Rest::default()).method(Method::rk4(1e-3)).run().unwrap();
+    let run = simulation(&coinciding::Rest::default()).method(Method::rk4(1e-3)).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     assert_eq!(run.last().get("cart.x").unwrap(), 0.0);
 }
@@ -66,7 +67,7 @@ const PASSING: f64 = 1e-11;
 
 #[test]
 fn analytic_damped_spring_passes_through_its_end() {
-    let run = Simulation::new(&coinciding::Pass::default()).method(Method::rk4(1e-3)).run().unwrap();
+    let run = simulation(&coinciding::Pass::default()).method(Method::rk4(1e-3)).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     // ẍ + c ẋ + k x = 0 from x = 0, ẋ = 1
     let (decay, frequency) = (0.25, f64::sqrt(40.0 - 0.25 * 0.25));

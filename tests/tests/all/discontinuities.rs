@@ -3,6 +3,7 @@
 use ezy_core::model::EventKind;
 use ezy_core::prelude::*;
 use ezy_models::{ezy_roller, skateboard};
+use ezy_tests::dynamic::simulation;
 
 model! {
     /// A block of 1 kg on a spring of 1 N/m, against a second spring of 3 N/m on its right, or with dry friction.
@@ -64,7 +65,7 @@ fn rubbing(t: f64) -> [f64; 2] {
 const MOST_STEPS: u64 = 100_000;
 
 fn end(scene: &dyn Scene, method: Method) -> ([f64; 2], Run) {
-    let run = Simulation::new(scene).method(method).max_steps(MOST_STEPS).run().unwrap();
+    let run = simulation(scene).method(method).max_steps(MOST_STEPS).run().unwrap();
     let last = run.last();
     ([last.get("block.x").unwrap(), last.get("block.vx").unwrap()], run)
 }
@@ -116,8 +117,8 @@ fn order_rk4_is_four_across_discontinuities() {
 #[test]
 fn invariant_discontinuities_leave_the_times_of_samples_and_steppers_alone() {
     let scene = block::Rubs::default();
-    let run = Simulation::new(&scene).method(Method::rk4(0.01)).every(0.02).run().unwrap();
-    let mut stepper = Simulation::new(&scene).method(Method::rk4(0.01)).stepper().unwrap();
+    let run = simulation(&scene).method(Method::rk4(0.01)).every(0.02).run().unwrap();
+    let mut stepper = simulation(&scene).method(Method::rk4(0.01)).stepper().unwrap();
     for (i, sample) in run.samples().enumerate() {
         assert_eq!(sample.t, i as f64 * 0.02);
         let State { t, q, .. } = stepper.state();
@@ -148,7 +149,7 @@ fn cross_steps_over_several_discontinuities_end_at_the_first() {
         ..skateboard::Ridden::default()
     };
     let end = |method: Method| {
-        let order = Simulation::new(&scene).method(method).until(0.02).project_start().max_steps(MOST_STEPS);
+        let order = simulation(&scene).method(method).until(0.02).project_start().max_steps(MOST_STEPS);
         let given =
             [("rear.vx", 6.374_253_553_551_820_6e-3), ("rear.vy", 1.0), ("rear.omega", 1.486_840_858_291_516e-2)];
         let run = given.iter().fold(order, |order, given| order.start(given.0, given.1)).run().unwrap();

@@ -4,6 +4,7 @@ use crate::scenes::{distance, stepped};
 use ezy_core::prelude::*;
 use ezy_core::testing::StepsBy;
 use ezy_models::{ezy_roller, roller_racer, skateboard};
+use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::load;
 
 /// Steps for the order: above them the motion is not resolved, below them rounding is met.
@@ -44,9 +45,9 @@ fn order_dop853_is_eight_and_its_dense_output_seven() {
 #[test]
 fn analytic_steps_grow_where_nothing_happens() {
     let scene = ezy_roller::Driven::default();
-    let at_rest = Simulation::new(&scene).method(Method::dop853(1e-9)).until(60.0);
+    let at_rest = simulation(&scene).method(Method::dop853(1e-9)).until(60.0);
     let still = ezy_roller::Driven { m0: 0.0, ..Default::default() };
-    let straight = Simulation::new(&still).method(Method::dop853(1e-9)).until(60.0).run().unwrap();
+    let straight = simulation(&still).method(Method::dop853(1e-9)).until(60.0).run().unwrap();
     assert!(straight.cost.steps < 20, "{} steps at rest", straight.cost.steps);
     assert!(at_rest.run().unwrap().cost.steps > 100);
 }
@@ -67,7 +68,7 @@ fn cross_dop853_samples_between_steps_keep_to_the_tolerance() {
     let scenes: [&dyn Scene; 2] = [&ezy_roller::Drift::default(), &skateboard::Ridden::default()];
     for scene in scenes {
         let sampled = |tolerance: f64, n_samples: f64| {
-            let order = Simulation::new(scene).method(Method::dop853(tolerance)).until(5.0);
+            let order = simulation(scene).method(Method::dop853(tolerance)).until(5.0);
             order.every(5.0 / n_samples).run().unwrap()
         };
         let exact = sampled(1e-13, N_SAMPLES);
@@ -98,7 +99,7 @@ fn cross_pulses_as_long_as_a_step_are_not_passed_over() {
     // the force is the square of a half wave; the estimate of order 5 of a step over 31/32 of it is 1/500 of its error
     let scene = skateboard::Ridden { nu_push: 816.0, m_rider: 51.0, m0: 6.6, ..skateboard::Ridden::default() };
     let end = |tolerance: f64| {
-        let run = Simulation::new(&scene).method(Method::dop853(tolerance)).until(0.5).run().unwrap();
+        let run = simulation(&scene).method(Method::dop853(tolerance)).until(0.5).run().unwrap();
         [run.last().coordinates, run.last().velocities].concat()
     };
     let reference = end(1e-13);
@@ -122,7 +123,7 @@ fn cross_dop853_steps_do_not_pass_over_a_friction_layer() {
         ..roller_racer::RowedOnTarmac::default()
     };
     let end = |method: Method| {
-        let order = Simulation::new(&scene).method(method).until(0.06).project_start();
+        let order = simulation(&scene).method(method).until(0.06).project_start();
         let run = order.start("seat.vy", -0.851_538_923_310_488_2).run().unwrap();
         [run.last().coordinates, run.last().velocities].concat()
     };

@@ -3,8 +3,8 @@
 use ezy_core::integrate::Method;
 use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::report::drawing::{Drawing, Elements, Placed, sketch, sketch_within};
-use ezy_core::simulate::Simulation;
 use ezy_models::registry::MODELS;
+use ezy_tests::dynamic::simulation;
 
 /// Rounding of positions of some metres.
 const ROUNDING: f64 = 1e-9;
@@ -15,7 +15,7 @@ fn each(mut check: impl FnMut(&str, &dyn Scene, &SceneInfo, f64, &[f64], &[f64])
         for entry in model.scenes {
             let scene = (entry.new)();
             let info = scene.info();
-            let run = Simulation::new(scene.as_ref())
+            let run = simulation(scene.as_ref())
                 .method(Method::rk4(1e-3))
                 .until(0.01 * info.until_s)
                 .max_steps(200)
@@ -110,7 +110,7 @@ fn cross_skates_of_a_picture_point_along_their_rows() {
 fn cross_force_of_a_tyre_is_the_applied_force() {
     let scene = ezy_models::single_track_car::MODEL.scenes[0];
     let scene = (scene.new)();
-    let run = Simulation::new(scene.as_ref()).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
+    let run = simulation(scene.as_ref()).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
     let last = run.last();
     let (elements, at) = placed(scene.as_ref(), last.t, last.coordinates, last.velocities);
     let mut force = vec![0.0; last.coordinates.len()];
@@ -132,7 +132,7 @@ fn invariant_every_scene_has_a_sketch_with_a_part_for_each_body() {
         for body in info.bodies.iter() {
             assert!(drawing.parts.iter().any(|part| part.title == *body), "{path}: no {body}");
         }
-        let run = Simulation::new(scene).until(0.0).run().unwrap();
+        let run = simulation(scene).until(0.0).run().unwrap();
         let svg = sketch(scene, &run.last());
         assert!(svg.starts_with("<svg") && svg.ends_with("</svg>\n"), "{path}");
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{path}: {svg}");
@@ -146,7 +146,7 @@ const SMALL: [f64; 2] = [450.0, 500.0];
 #[test]
 fn invariant_small_sketches_keep_their_letters_and_fit() {
     each(|path, scene, _, _, _, _| {
-        let run = Simulation::new(scene).until(0.0).run().unwrap();
+        let run = simulation(scene).until(0.0).run().unwrap();
         let svg = sketch_within(scene, &run.last(), SMALL);
         let side = |name: &str| -> f64 {
             let rest = svg.split_once(&format!(" {name}=\"")).unwrap().1;

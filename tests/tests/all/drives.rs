@@ -3,6 +3,7 @@
 use crate::scenes::{assert_checks, distance};
 use ezy_core::prelude::*;
 use ezy_tests::crank::{self, Crank};
+use ezy_tests::dynamic::simulation;
 
 model! {
     /// A crank whose angle is prescribed, in a field of gravity or without.
@@ -70,7 +71,7 @@ fn fd_driven_scenes_pass_their_checks() {
 /// The crank turns at −1.5 rad/s.
 #[test]
 fn analytic_geared_slider_crank_has_its_block_where_the_rod_puts_it() {
-    let run = Simulation::new(&press::Turning::default()).run().unwrap();
+    let run = simulation(&press::Turning::default()).run().unwrap();
     let angle = -1.5 * 2.0_f64;
     let x = 0.3 * angle.cos() + (1.0 - (0.3 * angle.sin()).powi(2)).sqrt();
     assert!((run.last().get("block.x").unwrap() - x).abs() < METHOD);
@@ -87,7 +88,7 @@ fn invariant_driven_rows_are_one_group() {
 #[test]
 fn cross_generated_drive_and_the_one_by_hand() {
     let (generated, hand) = (motor::Level::default(), Crank::default());
-    let run = |scene: &dyn Scene| Simulation::new(scene).method(Method::rk4(1e-3)).work().every(0.1).run().unwrap();
+    let run = |scene: &dyn Scene| simulation(scene).method(Method::rk4(1e-3)).work().every(0.1).run().unwrap();
     let (generated, hand) = (run(&generated), run(&hand));
     for (a, b) in generated.samples().zip(hand.samples()) {
         assert!(distance(a.coordinates, b.coordinates) <= ROUNDING, "at {} s", a.t);
@@ -99,7 +100,7 @@ fn cross_generated_drive_and_the_one_by_hand() {
 #[test]
 fn analytic_work_of_a_drive_is_the_energy_it_gives() {
     let scene = motor::Upright::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).work().outputs().every(0.1).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).work().outputs().every(0.1).run().unwrap();
     // about the pin
     let inertia = 0.4 + 2.0 * 0.3 * 0.3;
     let kinetic = |t: f64| 0.5 * inertia * crank::rate(t) * crank::rate(t);
@@ -116,7 +117,7 @@ fn analytic_work_of_a_drive_is_the_energy_it_gives() {
 #[test]
 fn invariant_energy_balances_with_driven_velocity_rows() {
     let scene = sledge::Run::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).work().every(0.1).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).work().every(0.1).run().unwrap();
     let most = run.samples().map(|s| s.work[1].abs()).fold(0.0, f64::max);
     assert!(most > 0.5, "pulling does work: {most} J");
     for s in run.samples() {

@@ -3,6 +3,7 @@
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_models::{chain, ezy_roller};
+use ezy_tests::dynamic::{simulation, system_of};
 
 /// Rounding of 5000 steps of the driven roller, whose sensitivity is 50 after 5 s; sines differ in their last bit.
 const ROUNDING: f64 = 2e-12;
@@ -19,7 +20,7 @@ fn rollers() -> [Roller; 8] {
 /// Consistent starts, each with the bar at another angle.
 fn starts<const L: usize>(scenes: &[Roller; L]) -> [State; L] {
     std::array::from_fn(|i| {
-        let mut system = System::new(&scenes[i], Backend::Auto).unwrap();
+        let mut system = system_of(&scenes[i], Backend::Auto).unwrap();
         let mut start = system.scene_start();
         start.give_position(5, 3.0 - 0.02 * i as f64);
         system.consistent_start(&start).unwrap()
@@ -34,8 +35,7 @@ fn difference<const L: usize>(scenes: &[Roller; L], method: Method, until_s: f64
     assert_eq!(ensemble.time(), until_s);
     let mut worst: f64 = 0.0;
     for (lane, scene) in scenes.iter().enumerate() {
-        let run =
-            Simulation::new(scene).method(method).start("bar.phi", starts[lane].q[5]).until(until_s).run().unwrap();
+        let run = simulation(scene).method(method).start("bar.phi", starts[lane].q[5]).until(until_s).run().unwrap();
         let (alone, together) = (run.last(), ensemble.state(lane));
         let pairs = alone.coordinates.iter().zip(&together.q).chain(alone.velocities.iter().zip(&together.v));
         worst = pairs.fold(worst, |worst, (x, y)| worst.max((x - y).abs()));

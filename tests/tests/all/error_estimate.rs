@@ -3,6 +3,7 @@
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ErrorEstimate, SetupError};
 use ezy_models::{double_pendulum, ezy_roller, pendulum, skateboard, tractor_trailers, wheeled_snake};
+use ezy_tests::dynamic::simulation;
 use ezy_tests::estimates::{Question, Reference};
 use std::sync::atomic::AtomicBool;
 
@@ -67,7 +68,7 @@ fn cross_estimates_of_runs_of_a_few_steps_are_not_zero() {
     let scene = pendulum::Quarter::default();
     let mut n_same = 0;
     for until_s in [0.05, 0.1, 0.2, 0.3, 0.4] {
-        let order = |method| Simulation::new(&scene).method(method).until(until_s);
+        let order = |method| simulation(&scene).method(method).until(until_s);
         let exact = order(Method::dop853(1e-14)).run().unwrap();
         let off = |run: &Run, level: fn(&Sample<'_>) -> Vec<f64>| {
             let pairs = level(&run.last()).into_iter().zip(level(&exact.last()));
@@ -108,7 +109,7 @@ model! {
 fn analytic_estimate_of_fixed_steps_sees_what_they_sample_too_seldom() {
     let step_s = 0.1;
     let scene = shaken::Shakes { omega: 16.0 * std::f64::consts::PI / step_s };
-    let run = Simulation::new(&scene).method(Method::rk4(step_s)).estimate_error().run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(step_s)).estimate_error().run().unwrap();
     let exact = (1.0 - scene.omega.cos()) / scene.omega.powi(2);
     let error = (run.last().coordinates[0] - exact).abs();
     assert!(error > 0.4, "{error}");
@@ -120,8 +121,7 @@ fn analytic_estimate_of_fixed_steps_sees_what_they_sample_too_seldom() {
 #[test]
 fn invariant_bound_on_steps_holds_for_the_runs_beside() {
     let scene = ezy_roller::Driven::default();
-    let run =
-        |most| Simulation::new(&scene).method(Method::dop853(1e-6)).max_steps(most).estimate_error().run().unwrap();
+    let run = |most| simulation(&scene).method(Method::dop853(1e-6)).max_steps(most).estimate_error().run().unwrap();
     let enough = run(10_000);
     assert!(enough.error_estimate.as_ref().unwrap().is_ok());
     // as many as the run itself takes: a hundredth of the tolerance takes more
@@ -137,7 +137,7 @@ fn analytic_amplification_is_that_of_the_linear_motion() {
         [Method::rk4(1e-3), Method::dop853(1e-6), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-8)]
     {
         let scene = balance::Lost::default();
-        let run = Simulation::new(&scene).method(method).every(0.1).estimate_error().run().unwrap();
+        let run = simulation(&scene).method(method).every(0.1).estimate_error().run().unwrap();
         let found = estimate(&run).amplification.unwrap();
         // x and x' grow by k cosh(kt) at most; the start is moved in both, by up to the same amount
         let (k, t) = (scene.k, 3.0);
@@ -147,7 +147,7 @@ fn analytic_amplification_is_that_of_the_linear_motion() {
         assert_eq!(run.last().get("cart.x").unwrap(), 0.0);
     }
     let tame = pendulum::Swing::default();
-    let run = Simulation::new(&tame).method(Method::dop853(1e-9)).every(0.1).estimate_error().run().unwrap();
+    let run = simulation(&tame).method(Method::dop853(1e-9)).every(0.1).estimate_error().run().unwrap();
     assert!(estimate(&run).amplification.unwrap() < 100.0);
 }
 
@@ -158,7 +158,7 @@ const SAME_GROWTH: f64 = 3.0;
 fn cross_amplification_is_that_of_the_motion_with_every_method() {
     let scene = double_pendulum::Swing::default();
     let of = |method: Method| {
-        let run = Simulation::new(&scene).method(method).until(8.0).every(0.02).estimate_error().run().unwrap();
+        let run = simulation(&scene).method(method).until(8.0).every(0.02).estimate_error().run().unwrap();
         estimate(&run).amplification.unwrap()
     };
     let exact = of(Method::taylor(1e-11));
@@ -173,7 +173,7 @@ fn cross_amplification_is_that_of_the_motion_with_every_method() {
 fn invariant_estimate_without_a_tighter_run_is_too_large() {
     // not analytic, so that no other method takes over at the level of rounding
     let scene = skateboard::Ridden::default();
-    let order = || Simulation::new(&scene).method(Method::dop853(2e-14)).until(0.5).every(0.1);
+    let order = || simulation(&scene).method(Method::dop853(2e-14)).until(0.5).every(0.1);
     let run = order().estimate_error().run().unwrap();
     assert_eq!(estimate(&run).second, Method::dop853(2e-13));
     let looser = order().method(Method::dop853(2e-13)).run().unwrap();
@@ -192,7 +192,7 @@ fn invariant_estimate_leaves_the_run_as_it_is() {
     for method in
         [Method::rk4(1e-2), Method::dop853(1e-6), Method::taylor(1e-8), Method::gauss(1e-8), Method::radau(1e-6)]
     {
-        let order = || Simulation::new(&scene).method(method).until(2.0).every(0.25).work();
+        let order = || simulation(&scene).method(method).until(2.0).every(0.25).work();
         let (alone, estimated) = (order().run().unwrap(), order().estimate_error().run().unwrap());
         assert_eq!((alone.cost.steps, alone.cost.evaluations), (estimated.cost.steps, estimated.cost.evaluations));
         assert_eq!(alone.samples().len(), estimated.samples().len());
@@ -206,9 +206,9 @@ fn invariant_estimate_leaves_the_run_as_it_is() {
 #[test]
 fn invariant_end_by_an_event_has_an_error_of_its_time() {
     let scene = pendulum::Quarter::default();
-    let run = Simulation::new(&scene).method(Method::dop853(1e-6)).every(0.1).estimate_error().run().unwrap();
+    let run = simulation(&scene).method(Method::dop853(1e-6)).every(0.1).estimate_error().run().unwrap();
     let Outcome::ReachedEvent { t, .. } = run.outcome else { panic!("{}", run.outcome) };
-    let exact = Simulation::new(&scene).method(Method::dop853(1e-13)).run().unwrap();
+    let exact = simulation(&scene).method(Method::dop853(1e-13)).run().unwrap();
     let error = (t - exact.last().t).abs();
     let end = estimate(&run).errors.last().unwrap();
     assert_eq!((end.quantity, end.unit.as_str()), ("end", "s"));
@@ -218,8 +218,8 @@ fn invariant_end_by_an_event_has_an_error_of_its_time() {
 #[test]
 fn invariant_run_whose_error_is_not_known_says_why() {
     let scene = ezy_roller::Driven::default();
-    let order = || Simulation::new(&scene).method(Method::dop853(1e-9)).until(5.0).every(0.5).estimate_error();
-    let law = order().method(Method::rk4(1e-3)).control(|_, _| {});
+    let order = || simulation(&scene).method(Method::dop853(1e-9)).until(5.0).every(0.5).estimate_error();
+    let law = Simulation::new(&scene).method(Method::rk4(1e-3)).until(5.0).estimate_error().control(|_, _| {});
     assert!(matches!(law.run(), Err(SetupError::ControlledOnce)));
     let short = order().max_steps(3).run().unwrap();
     assert_eq!(short.error_estimate.unwrap().unwrap_err().to_string(), "the run did not come to its end");

@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::pendulum;
+use ezy_tests::dynamic::simulation;
 
 /// Events are located to 1e-12 s; the value that is located carries rounding of 1e-15 m or rad at speeds around one.
 const LOCATED_S: f64 = 2e-12;
@@ -36,7 +37,7 @@ const METHODS: [Method; 5] =
     [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)];
 
 fn run(scene: &dyn Scene, method: Method) -> Run {
-    Simulation::new(scene).method(method).run().unwrap()
+    simulation(scene).method(method).run().unwrap()
 }
 
 /// A value below 1e-10 of the largest in the first step is rounding: 5e-12 where the wheel turns by 0.05 rad.
@@ -44,7 +45,7 @@ fn run(scene: &dyn Scene, method: Method) -> Run {
 fn analytic_start_just_before_an_event_is_told_from_rounding() {
     for (before, expected) in [(1e-12, 1), (4e-10, 2)] {
         let scene = wheel::Turn::default();
-        let order = Simulation::new(&scene).method(Method::rk4(0.05)).start("wheel.phi", std::f64::consts::PI - before);
+        let order = simulation(&scene).method(Method::rk4(0.05)).start("wheel.phi", std::f64::consts::PI - before);
         let found = named(&order.run().unwrap());
         assert_eq!(found.len(), expected, "{before:e} rad: {found:?}");
     }
@@ -84,7 +85,7 @@ fn analytic_events_of_a_throw_are_located_by_every_method() {
 fn analytic_two_passages_within_one_step_are_both_found() {
     let scene = throw::Fly { slit: 1e3, ..Default::default() };
     // one step holds the whole flight, and the ball passes 5 m twice
-    let run = Simulation::new(&scene).method(Method::rk4(2.9)).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(2.9)).run().unwrap();
     let found = named(&run);
     assert_eq!(run.cost.steps, 1);
     assert_eq!(found.iter().filter(|(name, _)| *name == "level").count(), 2, "{found:?}");
@@ -120,7 +121,7 @@ fn analytic_run_that_is_over_before_its_condition_reaches_its_time() {
 fn analytic_samples_go_up_to_the_end_that_an_event_makes() {
     for method in METHODS {
         let scene = throw::Land::default();
-        let run = Simulation::new(&scene).method(method).every(0.25).run().unwrap();
+        let run = simulation(&scene).method(method).every(0.25).run().unwrap();
         let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
         assert_eq!(times.len(), 11, "{}: {times:?}", method.name());
         assert!(times[..10].iter().enumerate().all(|(i, t)| (t - 0.25 * i as f64).abs() <= 1e-15), "{times:?}");
@@ -135,7 +136,7 @@ fn analytic_samples_go_up_to_the_end_that_an_event_makes() {
 fn invariant_motion_with_events_has_the_bits_of_the_motion_without() {
     for method in METHODS {
         let scene = pendulum::Swing::default();
-        let order = || Simulation::new(&scene).method(method).every(0.3);
+        let order = || simulation(&scene).method(method).every(0.3);
         let (with, without) = (order().run().unwrap(), order().without_events().run().unwrap());
         assert!(!with.events().is_empty() && without.events().is_empty());
         for (a, b) in with.samples().zip(without.samples()) {

@@ -1,14 +1,14 @@
 //! Exact rational values at the start, by hand.
 
 use crate::scenes::{Case, coast, distance, driven};
-use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 
 /// A dozen roundings of numbers up to ten.
 const ROUNDING: f64 = 1e-13;
 
 /// The first sample of a scene.
 fn assert_start(case: &Case, a: [f64; 6], lambda: [f64; 4]) {
-    let run = Simulation::new(&*case.scene).until(0.0).run().unwrap();
+    let run = simulation(&*case.scene).until(0.0).run().unwrap();
     let (s, route) = (run.first(), case.route);
     let (da, dl) = (distance(s.accelerations, &a), distance(s.multipliers, &lambda));
     assert!(da <= ROUNDING, "{route}: |da| = {da:.1e}");
@@ -40,7 +40,7 @@ fn analytic_accelerations_driven_start() {
 #[test]
 fn analytic_kinetic_energy_coast_start() {
     for Case { route, scene } in coast() {
-        let run = Simulation::new(&*scene).until(0.0).run().unwrap();
+        let run = simulation(&*scene).until(0.0).run().unwrap();
         let error = (run.first().energy.kinetic - 371.0 / 16.0).abs();
         assert!(error <= ROUNDING, "{route}: {error:.1e}");
     }
@@ -49,7 +49,7 @@ fn analytic_kinetic_energy_coast_start() {
 #[test]
 fn analytic_velocities_coast_start_are_assembled() {
     for Case { route, scene } in coast() {
-        let run = Simulation::new(&*scene).until(0.0).run().unwrap();
+        let run = simulation(&*scene).until(0.0).run().unwrap();
         let error = distance(run.first().velocities, &[1.0, 0.0, 0.0, 0.5, 0.0, 5.0]);
         assert!(error <= ROUNDING, "{route}: {error:.1e}");
     }

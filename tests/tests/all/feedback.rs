@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::registry::MODELS;
+use ezy_tests::dynamic::system_of;
 
 /// Accelerations and multipliers at a state, to the last bit.
 fn solution(system: &mut System<&dyn Scene>, t: f64, q: &[f64], v: &[f64]) -> Vec<u64> {
@@ -21,7 +22,7 @@ fn invariant_accelerations_depend_on_the_coordinates_that_are_listed() {
             assert!(!info.has_elimination(), "{}/{}", info.model, info.name);
             continue;
         };
-        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut system = system_of(&*scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let state = system.consistent_start(&start).unwrap();
         let v: Vec<f64> = (0..state.v.len()).map(|i| 0.3 + 0.1 * i as f64).collect();

@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::{differential_robot, single_track_car, tractor_trailers};
+use ezy_tests::dynamic::simulation;
 
 /// Methods that integrate first-order states, and what they leave of the numbers below.
 fn methods(step_s: f64) -> [(Method, f64); 4] {
@@ -20,7 +21,7 @@ fn analytic_electric_robot_accounts_for_its_energy_and_settles() {
     let scene = differential_robot::Electric { right_voltage: 6.0, ..Default::default() };
     let (u, r, k, c) = (6.0, scene.resistance, scene.k, scene.c);
     for (method, bound) in methods(1e-3) {
-        let run = Simulation::new(&scene).method(method).work().until(20.0).run().unwrap();
+        let run = simulation(&scene).method(method).work().until(20.0).run().unwrap();
         let get = |name: &str| run.last().get(name).unwrap();
         let [left, right] = ["state.left_current", "state.right_current"].map(get);
         let coils = 0.5 * scene.inductance * (left * left + right * right);
@@ -45,16 +46,16 @@ fn analytic_relaxing_tyres_lag_and_then_corner_alike() {
     // tyres without that length have a law that is not analytic
     let has_both = |(method, _): &(Method, f64)| method.kind() != MethodKind::Taylor;
     for (method, bound) in methods(1e-3).into_iter().filter(has_both) {
-        let run = Simulation::new(&scene).method(method).until(short_s).run().unwrap();
+        let run = simulation(&scene).method(method).until(short_s).run().unwrap();
         let slip = run.last().states[0];
         let followed = -scene.delta * (1.0 - (-scene.u * scene.delta.cos() * short_s / scene.sigma).exp());
         // meanwhile the car gains a side velocity, of the order of F/m t with half of the last force
         let gained = scene.cf * slip.abs() / scene.m * short_s / scene.u;
         assert!((slip - followed).abs() <= gained, "{slip} {followed} {gained}");
         let end = |run: Run| [run.last().velocities[1], run.last().velocities[2]];
-        let relaxing = end(Simulation::new(&scene).method(method).until(20.0).run().unwrap());
+        let relaxing = end(simulation(&scene).method(method).until(20.0).run().unwrap());
         let steady = single_track_car::Cornering::default();
-        let steady = end(Simulation::new(&steady).method(method).until(20.0).run().unwrap());
+        let steady = end(simulation(&steady).method(method).until(20.0).run().unwrap());
         assert!((relaxing[1] - steady[1]).abs() <= bound, "{relaxing:?} {steady:?}");
     }
 }
@@ -63,14 +64,14 @@ fn analytic_relaxing_tyres_lag_and_then_corner_alike() {
 #[test]
 fn analytic_autopilot_leaves_no_offset() {
     let scene = tractor_trailers::Piloted::default();
-    let run = Simulation::new(&scene).method(Method::dop853(1e-9)).outputs().until(400.0).run().unwrap();
+    let run = simulation(&scene).method(Method::dop853(1e-9)).outputs().until(400.0).run().unwrap();
     let get = |name: &str| run.last().get(name).unwrap();
     let offset = get("second.phi") - scene.heading;
     // the slowest mode has faded
     assert!(offset.abs() <= 1e-6, "{offset:e}");
     assert!((get("state.error_sum") + scene.pull / scene.stiff / scene.ki).abs() <= 1e-4, "{}", get("state.error_sum"));
     let without = tractor_trailers::Piloted { ki: 0.0, ..Default::default() };
-    let run = Simulation::new(&without).method(Method::dop853(1e-9)).until(400.0).run().unwrap();
+    let run = simulation(&without).method(Method::dop853(1e-9)).until(400.0).run().unwrap();
     let offset = run.last().get("second.phi").unwrap() - scene.heading;
     assert!((offset - scene.pull / scene.stiff / scene.kp).abs() <= 1e-6, "{offset}");
 }
@@ -89,7 +90,7 @@ fn cross_methods_agree_on_states_of_the_garage() {
     ];
     for scene in scenes {
         let numbers = |method| {
-            let run = Simulation::new(scene).method(method).until(3.0).run().unwrap();
+            let run = simulation(scene).method(method).until(3.0).run().unwrap();
             let last = run.last();
             [last.states, last.coordinates, last.velocities].concat()
         };
@@ -114,7 +115,7 @@ fn analytic_robot_with_fast_windings_is_driven_in_few_steps() {
     let end = |time_s: f64| {
         let scene =
             differential_robot::Electric { right_voltage: 6.0, inductance: resistance * time_s, ..Default::default() };
-        let run = Simulation::new(&scene).method(Method::radau(1e-8)).run().unwrap();
+        let run = simulation(&scene).method(Method::radau(1e-8)).run().unwrap();
         assert!(run.cost.steps + run.cost.rejected <= 300, "{time_s:e} s: {:?}", run.cost);
         let get = |name: &str| run.last().get(name).unwrap();
         for (current, wheel, u) in [

@@ -3,9 +3,11 @@
 use std::path::Path;
 use std::time::UNIX_EPOCH;
 
-use ezy_core::prelude::*;
+use ezy_core::prelude::Method;
 use ezy_core::simulate::SetupError;
+use ezy_models::registry::MODELS;
 use ezy_models::tractor_trailers;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::fuzz::estimates::{Estimated, SMALLEST, estimated};
 use ezy_tests::fuzz::methods::{Case, Judgement, Told};
 use ezy_tests::fuzz::{Scenes, Tally, Verdict, compare, trial};
@@ -61,7 +63,7 @@ fn regress_start_with_an_inertia_whose_square_vanishes_is_refused() {
     let mut scene = tractor_trailers::Locked::default();
     set(&mut scene, &[("front", -6.2279801943842365e-279), ("rear", -0.4), ("m_steer", 0.4), ("i_steer", 5e-324)]);
     set(&mut scene, &[("m_second", 2.843710921014777), ("delta_rate", 0.004555580813629171), ("nu", -1.0)]);
-    let order = Simulation::new(&scene).start("first.vy", 1.0).start("second.omega", -1.0).until(0.0);
+    let order = simulation(&scene).start("first.vy", 1.0).start("second.omega", -1.0).until(0.0);
     assert!(matches!(order.run(), Err(SetupError::Start(_))));
 }
 
@@ -89,6 +91,26 @@ fn cross_random_motions_are_the_same_by_every_method() {
         assert!(faults.is_empty(), "seed {seed}: {}", faults.join("\n"));
         assert!(n_right > 4 * N_MOTIONS, "seed {seed}: too few are compared: {n_right}");
     }
+}
+
+/// A knock parts velocities of two runs from the time of one to that of the other, however near both are.
+#[test]
+fn cross_samples_between_the_times_of_a_knock_are_not_compared() {
+    let pendulum = MODELS.iter().find(|model| model.name == "Pendulum").unwrap();
+    let knocking = pendulum.scenes.iter().find(|scene| scene.name == "knocking").unwrap();
+    let scene = (knocking.new)();
+    let first_knock = |method| {
+        let run = simulation(&*scene).method(method).run().unwrap();
+        run.events().iter().find(|event| event.event.name == "post hits").unwrap().state.t
+    };
+    let [coarse, exact] = [Method::taylor(1e-4), Method::dop853(1e-13)].map(first_knock);
+    assert!((coarse - exact).abs() > 1e-8, "{coarse} {exact}");
+    // the third of 32 samples
+    let case = Case::shipped(pendulum, knocking, 1.0).over(32.0 / 3.0 * (0.5 * (coarse + exact)));
+    let mut n_skipped = 0;
+    let faults = case.judge(|told| n_skipped += told.n_skipped);
+    assert!(faults.is_empty(), "{}", faults[0]);
+    assert!(n_skipped > 0);
 }
 
 /// Runs whose estimated error is compared with the true one; many more by the example `measure`.

@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::{ezy_roller, four_bar, roller_racer};
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::worse;
 
 /// Samples of a run.
@@ -13,7 +14,7 @@ const ADDED_UP: f64 = 100.0;
 /// The largest difference of a number in the samples to that of DOP853 at a far smaller tolerance, in tolerances.
 fn excess(scene: &dyn Scene, until_s: f64, tolerance: f64, given: &[(&str, f64)]) -> f64 {
     let samples = |method| {
-        let order = Simulation::new(scene).method(method).until(until_s).every(until_s / f64::from(N_SAMPLES));
+        let order = simulation(scene).method(method).until(until_s).every(until_s / f64::from(N_SAMPLES));
         let run =
             given.iter().fold(order, |order, (name, value)| order.start(*name, *value)).project_start().run().unwrap();
         assert!(run.outcome.reached_end() && run.samples().len() == N_SAMPLES as usize + 1, "{}", run.outcome);
@@ -51,8 +52,7 @@ fn cross_gauss_slides_shorter_than_a_third_of_a_step_are_followed() {
     let scene =
         ezy_roller::Skid { c: 0.154, d: 0.132, i1: 9924.0, m2: 0.568, omega: 336.0, hold: 4.12, ..Default::default() };
     let events = |method| {
-        let run =
-            Simulation::new(&scene).method(method).until(2.0).start("seat.omega", 1.0).project_start().run().unwrap();
+        let run = simulation(&scene).method(method).until(2.0).start("seat.omega", 1.0).project_start().run().unwrap();
         run.events().len()
     };
     let n_expected = events(Method::dop853(1e-9));

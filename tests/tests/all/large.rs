@@ -5,6 +5,7 @@ use ezy_core::dynamics::{MotionError, SystemError};
 use ezy_core::linalg::{KktFactorization, SparseKkt};
 use ezy_core::model::{LayoutFault, Start};
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::{simulation, system_of};
 use std::sync::Arc;
 
 model! {
@@ -93,7 +94,7 @@ fn fd_chains_pass_their_checks() {
 #[test]
 fn invariant_ten_thousand_rods_start_and_move_consistently() {
     let scene = chain::Swing { n: 10_000 };
-    let run = Simulation::new(&scene).method(Method::rk4(1e-5)).until(3e-5).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-5)).until(3e-5).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     assert!(run.last().position_residual <= POSITION, "{:.1e}", run.last().position_residual);
     assert!(run.last().velocity_residual <= POSITION, "{:.1e}", run.last().velocity_residual);
@@ -102,7 +103,7 @@ fn invariant_ten_thousand_rods_start_and_move_consistently() {
 #[test]
 fn invariant_consistent_start_of_a_long_chain_is_not_touched() {
     let scene = chain::Swing { n: 1_000 };
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let state = system.consistent_start(&system.scene_start()).unwrap();
     let mut again = Start::free(3_000);
     (again.q, again.v) = (state.q.clone(), state.v.clone());
@@ -114,7 +115,7 @@ fn invariant_consistent_start_of_a_long_chain_is_not_touched() {
 fn analytic_held_rods_of_a_long_chain_carry_the_rest_along() {
     // every angle is held, so that the centres follow by themselves; a held speed of the last rod moves it alone
     let scene = chain::Swing { n: 200 };
-    let run = Simulation::new(&scene).until(0.0).start("rod[199].omega", 2.0);
+    let run = simulation(&scene).until(0.0).start("rod[199].omega", 2.0);
     let run = (0..199).fold(run, |run, i| run.start(format!("rod[{i}].omega"), 0.0)).run().unwrap();
     let (sin, cos) = (0.1_f64 * 199.0).sin_cos();
     let first = run.first();
@@ -128,7 +129,7 @@ fn invariant_rest_of_a_long_chain_follows_a_rod_that_is_given() {
     let (sin, cos) = 0.5_f64.sin_cos();
     let given = [("rod[0].x", 0.5 * cos), ("rod[0].y", 0.5 * sin), ("rod[0].phi", 0.5)];
     let scene = chain::Swing { n: 60 };
-    let run = given.iter().fold(Simulation::new(&scene).until(0.0), |run, (name, value)| run.start(*name, *value));
+    let run = given.iter().fold(simulation(&scene).until(0.0), |run, (name, value)| run.start(*name, *value));
     let run = run.run().unwrap();
     assert!(given.iter().all(|(name, value)| run.first().get(name).unwrap() == *value));
     assert!(run.first().position_residual <= POSITION, "{:.1e}", run.first().position_residual);
@@ -137,7 +138,7 @@ fn invariant_rest_of_a_long_chain_follows_a_rod_that_is_given() {
 #[test]
 fn invariant_start_that_cannot_be_met_is_refused_at_any_length() {
     let scene = chain::Swing { n: 500 };
-    let refused = Simulation::new(&scene).until(0.0).start("rod[499].x", 1e4).run();
+    let refused = simulation(&scene).until(0.0).start("rod[499].x", 1e4).run();
     let message = refused.err().map(|error| error.to_string()).unwrap_or_default();
     assert!(message.contains("contradicts the constraints") && message.contains("more"), "{message}");
     assert!(message.len() < 5_000, "{} bytes", message.len());
@@ -145,18 +146,18 @@ fn invariant_start_that_cannot_be_met_is_refused_at_any_length() {
 
 #[test]
 fn invariant_backends_that_do_not_fit_are_refused() {
-    let refused = |scene: &chain::Swing, backend| System::new(scene, backend).err();
+    let refused = |scene: &chain::Swing, backend| system_of(scene, backend).err();
     let (short, long) = (chain::Swing { n: 3 }, chain::Swing { n: 1_000 });
     assert!(matches!(refused(&short, Backend::Generated), Some(SystemError::NoElimination { .. })));
     assert!(matches!(refused(&long, Backend::Dense), Some(SystemError::TooLargeForDense { n: 5_000, .. })));
-    let mut system = System::new(&long, Backend::Auto).unwrap();
+    let mut system = system_of(&long, Backend::Auto).unwrap();
     let result = system.project_velocities(0.0, &[0.1; 3_000], &mut [0.1; 3_000], Metric::Euclidean);
     assert!(matches!(result, Err(MotionError::EuclideanTooLarge { .. })), "{result:?}");
 }
 
 #[test]
 fn invariant_count_of_zero_and_far_too_many_are_refused() {
-    let fault = |n| match System::new(&chain::Swing { n }, Backend::Auto).err() {
+    let fault = |n| match system_of(&chain::Swing { n }, Backend::Auto).err() {
         Some(SystemError::Layout(fault)) => fault,
         other => panic!("{other:?}"),
     };
@@ -166,7 +167,7 @@ fn invariant_count_of_zero_and_far_too_many_are_refused() {
 
 #[test]
 fn invariant_description_is_shared_by_all_who_hold_it() {
-    let run = Simulation::new(&chain::Swing { n: 12 }).until(0.0).run().unwrap();
+    let run = simulation(&chain::Swing { n: 12 }).until(0.0).run().unwrap();
     let other = chain::Swing { n: 13 }.info();
     let info = chain::Swing { n: 12 }.info();
     assert!(Arc::ptr_eq(&info, run.info()) && Arc::ptr_eq(&other, &chain::Swing { n: 13 }.info()));

@@ -4,6 +4,7 @@
 #![allow(non_snake_case)]
 
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::system_of;
 use ezy_tests::hard::models::five_cranks;
 use ezy_tests::parallel_cranks::judge::{Verdict, judge};
 use ezy_tests::parallel_cranks::members::{Member, members};
@@ -78,7 +79,7 @@ fn ranks_at(angle: f64) -> [usize; 2] {
     /// Singular values of G are 0.1 and more, or rounding.
     const ZERO: f64 = 1e-9;
     let scene = five_cranks::Fall::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let info = scene.info();
     let (sin, cos) = angle.sin_cos();
     let mut q = vec![cos + 1.3, sin, 0.0];

@@ -4,6 +4,7 @@ use crate::scenes::distance;
 use ezy_core::prelude::*;
 use ezy_core::testing::{GivenSteps, StepsBy};
 use ezy_models::registry::MODELS;
+use ezy_tests::dynamic::{simulation, system_of};
 
 /// Order of the series that tells where a step should lead; two fifths of its radius leave nothing to see.
 const ORACLE: usize = 40;
@@ -24,7 +25,7 @@ const DOP853_TOLERANCE: f64 = 1.0;
 /// A scene on its way, where nothing is zero by symmetry.
 fn on_the_way(scene: &dyn Scene) -> State {
     let until_s = 0.3 * scene.info().until_s.min(2.0);
-    let run = Simulation::new(scene).method(Method::dop853(1e-10)).until(until_s).run().unwrap();
+    let run = simulation(scene).method(Method::dop853(1e-10)).until(until_s).run().unwrap();
     let last = run.last();
     let [q, v, z] = [last.coordinates, last.velocities, last.states].map(<[f64]>::to_vec);
     State { t: last.t, q, v, z, work: Vec::new() }
@@ -33,7 +34,7 @@ fn on_the_way(scene: &dyn Scene) -> State {
 /// Order of one step from a state over the lengths that show one; none where a method leaves no error.
 fn order(scene: &dyn Scene, state: &State, by: StepsBy) -> Option<f64> {
     let [mut oracle, mut steps] = [StepsBy::Taylor(ORACLE), by].map(|by| {
-        let system = System::new(scene, Backend::Auto).unwrap();
+        let system = system_of(scene, Backend::Auto).unwrap();
         GivenSteps::new(system, state.clone(), by).expect("a series and Jacobians")
     });
     // where the terms of the series are as large as the state

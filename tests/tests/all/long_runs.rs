@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::pendulum;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{load, rows};
 
 /// The projection's promise, whatever the angle.
@@ -14,7 +15,7 @@ const FAR_ROUND: f64 = 159_155.0 * std::f64::consts::TAU;
 fn invariant_rotor_keeps_its_hinge_at_a_million_radians() {
     let scene = pendulum::Swing { l: 0.05, i: 0.01, ..Default::default() };
     for method in [Method::rk4(1e-6), Method::dop853(1e-12), Method::taylor(1e-12)] {
-        let order = Simulation::new(&scene).method(method).until(2e-3);
+        let order = simulation(&scene).method(method).until(2e-3);
         let run = order.start("bob.phi", FAR_ROUND).start("bob.omega", 1e4).run().unwrap();
         let gap = run.monitors.position_residual.unwrap();
         assert!(run.outcome.reached_end() && gap.value <= GAP, "{method:?}: {gap:?}, {}", run.outcome);
@@ -27,7 +28,7 @@ const STATE: f64 = 1e-8;
 #[test]
 fn analytic_pendulum_after_two_hundred_turns() {
     let scene = pendulum::Swing::default();
-    let run = Simulation::new(&scene).method(Method::taylor(1e-13)).until(500.0).run().unwrap();
+    let run = simulation(&scene).method(Method::taylor(1e-13)).until(500.0).run().unwrap();
     let file = load("a01_simple_pendulum");
     let table = rows(&file["exact"]["rows"]);
     let exact = table.iter().find(|row| row[0] == 500.0).expect("a row at 500 s");

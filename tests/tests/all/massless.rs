@@ -4,6 +4,7 @@ use crate::scenes::{Case, coast, distance, driven, rk4, set};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
+use ezy_tests::dynamic::simulation;
 use std::f64::consts::PI;
 
 const HORIZON: f64 = 5.0;
@@ -40,7 +41,7 @@ fn cross_driven_massless_bar_against_the_reduced_equations() {
     let y = (0..n).fold([-0.2, 0.0, 0.0, PI, 0.0, 0.0], |y, i| rk4(reduced, i as f64 * STEP, &y, STEP));
     for Case { route, mut scene } in driven() {
         set(&mut *scene, &MASSLESS);
-        let run = Simulation::new(&*scene).method(Method::rk4(STEP)).until(HORIZON).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(STEP)).until(HORIZON).run().unwrap();
         assert!(run.outcome.reached_end(), "{route}: {}", run.outcome);
         let q = run.last().coordinates;
         let wheel = [q[0] - 0.2 * q[2].cos(), q[1] - 0.2 * q[2].sin(), q[2], q[5]];
@@ -54,7 +55,7 @@ fn cross_driven_massless_bar_is_the_limit_of_light_bars() {
     for (Case { route, mut scene }, Case { scene: mut light, .. }) in driven().into_iter().zip(driven()) {
         set(&mut *scene, &MASSLESS);
         set(&mut *light, &[("m2", LIGHT), ("i2", 0.005 * LIGHT)]);
-        let run = |scene| Simulation::new(scene).method(Method::rk4(1e-3)).until(HORIZON).run().unwrap();
+        let run = |scene| simulation(scene).method(Method::rk4(1e-3)).until(HORIZON).run().unwrap();
         let error = distance(run(&*scene).last().coordinates, run(&*light).last().coordinates);
         assert!(error <= LIGHT_CHANGES, "{route}: {error:.1e}");
     }
@@ -65,7 +66,7 @@ fn invariant_backends_that_divide_by_masses_refuse_a_massless_bar() {
     for Case { route, mut scene } in coast() {
         set(&mut *scene, &MASSLESS);
         for backend in [Backend::Generated, Backend::Sparse] {
-            let error = Simulation::new(&*scene).backend(backend).run().unwrap_err().to_string();
+            let error = simulation(&*scene).backend(backend).run().unwrap_err().to_string();
             assert!(error.contains("mass of body `bar` is zero") && error.contains("dense"), "{route}: {error}");
         }
     }
@@ -76,7 +77,7 @@ fn invariant_angle_without_inertia_or_row_is_named() {
     for Case { route, mut scene } in driven() {
         // wheel and hinge at the seat's centre of mass leave nothing that turns it
         set(&mut *scene, &[("a", 0.0), ("b", 0.0), ("i1", 0.0)]);
-        let error = Simulation::new(&*scene).run().unwrap_err();
+        let error = simulation(&*scene).run().unwrap_err();
         assert!(
             matches!(&error, SetupError::Motion(MotionError::UndeterminedMotion { coordinates, .. }) if coordinates[..] == ["seat.phi"]),
             "{route}: {error}"
@@ -94,7 +95,7 @@ fn cross_vanished_pivot_is_decided_by_the_pivoted_backend() {
     for Case { route, mut scene } in driven() {
         set(&mut *scene, &[("i2", TINY_INERTIA)]);
         let ends = [Backend::Auto, Backend::Dense].map(|backend| {
-            let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).backend(backend).until(1.0).run().unwrap();
+            let run = simulation(&*scene).method(Method::rk4(1e-3)).backend(backend).until(1.0).run().unwrap();
             assert!(run.outcome.reached_end(), "{route} {backend:?}: {}", run.outcome);
             run.last().coordinates.to_vec()
         });
@@ -112,7 +113,7 @@ fn invariant_energy_balance_of_bars_of_any_lightness() {
         for exponent in [0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 18, 20, 25, 30, 50, 100, 200, 300] {
             let light = 10_f64.powi(-exponent);
             set(&mut *scene, &[("m2", light), ("i2", light)]);
-            let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).work().until(1.0).run().unwrap();
+            let run = simulation(&*scene).method(Method::rk4(1e-3)).work().until(1.0).run().unwrap();
             assert!(run.outcome.reached_end(), "{route} 1e-{exponent}: {}", run.outcome);
             let balance = run.last().energy.balance.abs();
             assert!(balance <= ENERGY_OF_LIGHT_BARS, "{route} 1e-{exponent}: {balance:e} J");

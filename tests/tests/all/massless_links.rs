@@ -1,6 +1,7 @@
 //! Links that are mere distances: massless, without inertia, between bodies that have both.
 
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 
 ezy_core::model! {
     /// `massless_coupler` of `torture.json`.
@@ -51,7 +52,7 @@ const STATES: f64 = 1e-9;
 
 fn assert_angles<S: Scene>(scene: &S, angles: &[f64]) {
     for method in [Method::dop853(1e-11), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)] {
-        let run = Simulation::new(scene).method(method).run().unwrap();
+        let run = simulation(scene).method(method).run().unwrap();
         assert!(run.outcome.reached_end(), "{}: {}", method.name(), run.outcome);
         let q = run.last().coordinates;
         let found: Vec<f64> = q.iter().skip(2).step_by(3).copied().collect();
@@ -72,6 +73,6 @@ fn reference_chain_with_a_massless_middle() {
 
 #[test]
 fn invariant_link_that_nothing_turns_is_named() {
-    let error = Simulation::new(&dangling::Swing::default()).run().unwrap_err().to_string();
+    let error = simulation(&dangling::Swing::default()).run().unwrap_err().to_string();
     assert!(error.contains("tail.phi") && error.contains("no mass"), "{error}");
 }

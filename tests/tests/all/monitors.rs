@@ -5,6 +5,7 @@ use ezy_core::dynamics::{MotionError, StrainSource};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ExceededLimit, StopReason};
 use ezy_models::{double_pendulum, four_bar, knife_edge, pendulum, wheeled_snake};
+use ezy_tests::dynamic::simulation;
 use ezy_tests::hard::subject::subject;
 
 model! {
@@ -58,7 +59,7 @@ fn reason(run: &Run) -> &StopReason {
 #[test]
 fn invariant_monitors_of_a_projected_run_bound_every_sample() {
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(5.0).every(1e-3).work().run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).until(5.0).every(1e-3).work().run().unwrap();
         let monitors = &run.monitors;
         let [positions, velocities] =
             [&monitors.position_residual, &monitors.velocity_residual].map(|peak| peak.as_ref().unwrap());
@@ -77,7 +78,7 @@ fn invariant_monitors_of_a_projected_run_bound_every_sample() {
 #[test]
 fn cross_drift_without_projection_is_the_residual_of_the_samples() {
     for Case { route, scene } in driven() {
-        let order = Simulation::new(&*scene).method(Method::rk4(0.01)).project(Projection::None).max_drift(1.0);
+        let order = simulation(&*scene).method(Method::rk4(0.01)).project(Projection::None).max_drift(1.0);
         let run = order.until(5.0).every(0.01).run().unwrap();
         let monitors = &run.monitors;
         let largest = |pick: fn(&Sample<'_>) -> f64| run.samples().map(|s| pick(&s)).fold(0.0, f64::max);
@@ -91,14 +92,14 @@ fn cross_drift_without_projection_is_the_residual_of_the_samples() {
 fn invariant_energy_is_told_where_it_can_be() {
     for Case { route, scene } in driven() {
         assert_eq!(
-            Simulation::new(&*scene).method(Method::rk4(1e-3)).until(0.1).run().unwrap().monitors.energy,
+            simulation(&*scene).method(Method::rk4(1e-3)).until(0.1).run().unwrap().monitors.energy,
             None,
             "{route}"
         );
     }
     for Case { route, scene } in coast() {
         assert!(
-            Simulation::new(&*scene).method(Method::rk4(1e-3)).until(0.1).run().unwrap().monitors.energy.is_some(),
+            simulation(&*scene).method(Method::rk4(1e-3)).until(0.1).run().unwrap().monitors.energy.is_some(),
             "{route}"
         );
     }
@@ -107,16 +108,16 @@ fn invariant_energy_is_told_where_it_can_be() {
 #[test]
 fn invariant_steps_are_told_from_the_shortest_to_the_longest() {
     let scene = pendulum::Swing::default();
-    let run = Simulation::new(&scene).method(Method::rk4(0.25)).until(0.6).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(0.25)).until(0.6).run().unwrap();
     let [shortest, longest] = run.monitors.steps_s.unwrap();
     assert!((shortest - 0.1).abs() < 1e-15 && longest == 0.25, "{shortest} {longest}");
-    assert_eq!(Simulation::new(&scene).until(0.0).run().unwrap().monitors.steps_s, None);
+    assert_eq!(simulation(&scene).until(0.0).run().unwrap().monitors.steps_s, None);
 }
 
 #[test]
 fn invariant_condition_rises_where_rows_come_near_each_other() {
     let scene = four_bar::Turning::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).run().unwrap();
     let condition = run.monitors.condition.unwrap();
     assert!(condition.at_start >= 1.0 && condition.largest >= condition.at_start, "{condition:?}");
     assert!(condition.pivot > 0.0 && condition.pivot <= 1.0 && condition.unknown.is_some(), "{condition:?}");
@@ -129,7 +130,7 @@ const N_STEPS: f64 = 4096.0;
 fn analytic_condition_is_worst_on_the_way_where_crank_and_rod_are_upright() {
     let (h, upright) = (1e-3, std::f64::consts::FRAC_PI_2);
     let scene = motor::Turn { omega: upright / (N_STEPS * h) };
-    let run = Simulation::new(&scene).method(Method::rk4(h)).until(2.0 * N_STEPS * h).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(h)).until(2.0 * N_STEPS * h).run().unwrap();
     let condition = run.monitors.condition.unwrap();
     assert!((condition.t - N_STEPS * h).abs() <= 1e-9 && condition.largest > 2.0 * condition.at_start, "{condition:?}");
 }
@@ -141,15 +142,15 @@ const SEEN: f64 = 0.99;
 fn analytic_velocity_residual_is_seen_between_the_ends_of_a_run() {
     // Simpson's rule on a cosine leaves a sine, which is zero at the end
     let scene = belt::Ride::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(1.0 / 64.0)).project(Projection::None);
-    let value = |order: Simulation<'_, &belt::Ride>| order.run().unwrap().monitors.velocity_residual.unwrap().value;
+    let order = || simulation(&scene).method(Method::rk4(1.0 / 64.0)).project(Projection::None);
+    let value = |order: Simulation<'_, &dyn Scene>| order.run().unwrap().monitors.velocity_residual.unwrap().value;
     let (seldom, always) = (value(order()), value(order().max_drift(1.0)));
     assert!(seldom >= SEEN * always && always > 1e-9, "{seldom:.3e} of {always:.3e}");
 }
 
 #[test]
 fn invariant_rounding_of_a_large_potential_energy_is_no_error() {
-    let run = Simulation::new(&tower::Swing::default()).method(Method::rk4(0.01)).run().unwrap();
+    let run = simulation(&tower::Swing::default()).method(Method::rk4(0.01)).run().unwrap();
     let energy = run.monitors.energy.unwrap();
     assert!(energy.joules != 0.0 && energy.relative == 0.0, "{energy:?}");
 }
@@ -157,7 +158,7 @@ fn invariant_rounding_of_a_large_potential_energy_is_no_error() {
 #[test]
 fn invariant_monitors_do_not_change_the_motion() {
     for Case { route, scene } in driven() {
-        let order = || Simulation::new(&*scene).method(Method::rk4(1e-3)).until(2.0).work();
+        let order = || simulation(&*scene).method(Method::rk4(1e-3)).until(2.0).work();
         let limited = order().max_drift(1.0).max_energy_error(1.0).max_steps(5000).run().unwrap();
         let plain = order().run().unwrap();
         assert!(limited.last().numbers().eq(plain.last().numbers()), "{route}");
@@ -167,7 +168,7 @@ fn invariant_monitors_do_not_change_the_motion() {
 #[test]
 fn invariant_drift_beyond_its_limit_ends_the_run_before_it() {
     for Case { route, scene } in driven() {
-        let order = Simulation::new(&*scene).method(Method::rk4(0.01)).project(Projection::Velocities);
+        let order = simulation(&*scene).method(Method::rk4(0.01)).project(Projection::Velocities);
         let run = order.max_drift(1e-9).run().unwrap();
         let StopReason::Limit(ExceededLimit::Drift { t, level, row, value, limit }) = reason(&run) else {
             panic!("{route}: {}", run.outcome)
@@ -182,8 +183,7 @@ fn invariant_drift_beyond_its_limit_ends_the_run_before_it() {
 #[test]
 fn invariant_skate_that_slips_beyond_the_limit_ends_the_run() {
     let scene = knife_edge::Cycloid::default();
-    let run =
-        Simulation::new(&scene).method(Method::rk4(0.05)).project(Projection::None).max_drift(1e-9).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(0.05)).project(Projection::None).max_drift(1e-9).run().unwrap();
     assert!(
         matches!(reason(&run), StopReason::Limit(ExceededLimit::Drift { level: "velocity", .. })),
         "{}",
@@ -194,7 +194,7 @@ fn invariant_skate_that_slips_beyond_the_limit_ends_the_run() {
 #[test]
 fn invariant_energy_beyond_its_limit_ends_the_run_before_it() {
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).method(Method::rk4(0.05)).max_energy_error(1e-9).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(0.05)).max_energy_error(1e-9).run().unwrap();
         let &StopReason::Limit(ExceededLimit::EnergyError { t, relative, limit, .. }) = reason(&run) else {
             panic!("{route}: {}", run.outcome)
         };
@@ -207,7 +207,7 @@ fn invariant_energy_beyond_its_limit_ends_the_run_before_it() {
 #[test]
 fn invariant_fixed_steps_that_lose_energy_are_not_trusted() {
     let scene = double_pendulum::Swing::default();
-    let order = |step_s: f64| Simulation::new(&scene).method(Method::rk4(step_s)).until(10.0).every(0.5);
+    let order = |step_s: f64| simulation(&scene).method(Method::rk4(step_s)).until(10.0).every(0.5);
     let run = order(0.1).run().unwrap();
     let Outcome::Untrusted { t, step_s, energy } = run.outcome else { panic!("{}", run.outcome) };
     assert_eq!((t, run.last().t, run.samples().len()), (10.0, 10.0, 21));
@@ -229,7 +229,7 @@ fn invariant_fixed_steps_that_lose_energy_are_not_trusted() {
 fn invariant_rounding_of_a_body_that_cannot_move_is_no_loss_of_energy() {
     let subject = subject("torture", "three_skates_locked");
     for step_s in [0.056, 0.01, 0.002] {
-        let order = Simulation::new(&*subject.scene).method(Method::rk4(step_s)).until(10.0).work();
+        let order = simulation(&*subject.scene).method(Method::rk4(step_s)).until(10.0).work();
         let run =
             subject.given().into_iter().fold(order, |order, (name, value)| order.start(name, value)).run().unwrap();
         assert!(run.outcome.reached_end(), "{step_s}: {}", run.outcome);
@@ -244,7 +244,7 @@ fn invariant_heavy_body_below_a_light_one_keeps_its_energy_at_every_step() {
     const ENERGY: f64 = 1e-6;
     let scene = double_pendulum::Swing { m1: 1.0, m2: 1e10, ..Default::default() };
     for step_s in [1e-2, 1e-3, 5e-4, 2e-4, 1e-4] {
-        let run = Simulation::new(&scene).method(Method::rk4(step_s)).until(2.0).run().unwrap();
+        let run = simulation(&scene).method(Method::rk4(step_s)).until(2.0).run().unwrap();
         let relative = run.monitors.energy.unwrap().relative;
         assert!(run.outcome.reached_end() && relative <= ENERGY, "{step_s}: {}, {relative:e}", run.outcome);
     }
@@ -254,7 +254,7 @@ fn invariant_heavy_body_below_a_light_one_keeps_its_energy_at_every_step() {
 fn invariant_steps_beyond_their_limit_end_the_run_and_are_kept() {
     let scene = pendulum::Swing::default();
     for method in [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9)] {
-        let run = Simulation::new(&scene).method(method).max_steps(7).run().unwrap();
+        let run = simulation(&scene).method(method).max_steps(7).run().unwrap();
         let reason = reason(&run);
         assert!(matches!(reason, StopReason::Limit(ExceededLimit::Steps { limit: 7, .. })), "{reason}");
         assert!(run.cost.steps <= 7 && run.cost.steps + run.cost.rejected >= 7, "{:?}", run.cost);
@@ -266,9 +266,9 @@ fn invariant_steps_beyond_their_limit_end_the_run_and_are_kept() {
 fn invariant_limits_that_are_none_are_refused() {
     let scene = pendulum::Swing::default();
     for (value, told) in [(f64::NAN, "NaN"), (-1e-9, "-1e-9")] {
-        let drift = Simulation::new(&scene).max_drift(value).run().unwrap_err();
+        let drift = simulation(&scene).max_drift(value).run().unwrap_err();
         assert!(drift.to_string().starts_with(&format!("the limit max-drift is {told}; give")), "{drift}");
-        let energy = Simulation::new(&scene).max_energy_error(value).run().unwrap_err();
+        let energy = simulation(&scene).max_energy_error(value).run().unwrap_err();
         assert!(energy.to_string().starts_with("the limit max-energy-error is"), "{energy}");
     }
 }
@@ -277,7 +277,7 @@ fn invariant_limits_that_are_none_are_refused() {
 fn invariant_runaway_names_coordinate_and_force() {
     for Case { route, mut scene } in driven() {
         set(&mut *scene, &[("m0", 1e200)]);
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).run().unwrap();
         let Outcome::Stopped { reason: StopReason::Motion(MotionError::NotFinite { .. }), strain, .. } = &run.outcome
         else {
             panic!("{route}: {}", run.outcome)
@@ -292,8 +292,7 @@ fn invariant_runaway_names_coordinate_and_force() {
 #[test]
 fn invariant_runaway_by_speed_names_a_reaction() {
     let scene = knife_edge::Cycloid::default();
-    let run =
-        Simulation::new(&scene).method(Method::rk4(0.1)).start("blade.omega", 1e3).start("blade.vx", 1e3).max_steps(1);
+    let run = simulation(&scene).method(Method::rk4(0.1)).start("blade.omega", 1e3).start("blade.vx", 1e3).max_steps(1);
     let run = run.run().unwrap();
     let Outcome::Stopped { strain: Some(strain), .. } = &run.outcome else { panic!("{}", run.outcome) };
     assert!(matches!(&strain.source, StrainSource::Reaction { row, .. } if row == "edge"), "{strain}");
@@ -302,7 +301,7 @@ fn invariant_runaway_by_speed_names_a_reaction() {
 #[test]
 fn invariant_what_a_step_does_behind_an_end_is_not_watched() {
     let scene = pendulum::Quarter::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(0.7));
+    let order = || simulation(&scene).method(Method::rk4(0.7));
     // a step over half of the motion
     let run = order().max_energy_error(1.0).run().unwrap();
     let (end, monitors) = (run.last().t, &run.monitors);
@@ -323,7 +322,7 @@ fn cross_digits_that_the_elimination_loses_are_seen() {
     let rounding = |m: f64| {
         let mut scene = wheeled_snake::Crawling::default();
         set(&mut scene, &[("m", m)]);
-        let run = Simulation::new(&scene).method(Method::dop853(1e-9)).until(0.1).run().unwrap();
+        let run = simulation(&scene).method(Method::dop853(1e-9)).until(0.1).run().unwrap();
         let condition = run.monitors.condition.unwrap();
         (condition.rounding, condition.largest * f64::EPSILON)
     };

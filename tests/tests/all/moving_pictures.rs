@@ -4,6 +4,7 @@ use ezy_core::prelude::*;
 use ezy_core::report::drawing::{Drawing, Elements, Film, Placed};
 use ezy_models::ezy_roller::Driven;
 use ezy_models::pendulum::Swing;
+use ezy_tests::dynamic::simulation;
 
 const WIDTH: u32 = 300;
 const N_FRAMES: usize = 8;
@@ -47,7 +48,7 @@ fn view(svg: &str) -> [f64; 3] {
 #[test]
 fn cross_body_of_a_moving_picture_is_where_the_run_has_it() {
     let scene = Swing::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(1.4).every(0.2).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).until(1.4).every(0.2).run().unwrap();
     let elements = Elements::new(&scene);
     let placed: Vec<Placed> = run.samples().map(|sample| elements.at_sample(&scene, &sample)).collect();
     let drawing = Drawing::new(&scene, elements, &placed[0], &placed, None);
@@ -82,7 +83,7 @@ fn cross_body_of_a_moving_picture_is_where_the_run_has_it() {
 #[test]
 fn invariant_arc_of_a_torque_is_in_the_sketch_alone() {
     let scene = Driven::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.4).every(0.2).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).until(0.4).every(0.2).run().unwrap();
     let elements = Elements::new(&scene);
     let placed: Vec<Placed> = run.samples().map(|sample| elements.at_sample(&scene, &sample)).collect();
     let drawing = Drawing::new(&scene, elements, &placed[0], &placed, None);
@@ -95,7 +96,7 @@ fn invariant_arc_of_a_torque_is_in_the_sketch_alone() {
 #[test]
 fn invariant_frame_as_pixels_is_the_frame_of_the_moving_picture() {
     let scene = Swing::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.4).every(0.2).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).until(0.4).every(0.2).run().unwrap();
     let elements = Elements::new(&scene);
     let placed: Vec<Placed> = run.samples().map(|sample| elements.at_sample(&scene, &sample)).collect();
     let drawing = Drawing::new(&scene, elements, &placed[0], &placed, None);

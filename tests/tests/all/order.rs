@@ -3,6 +3,7 @@
 use crate::scenes::{Case, coast, distance, driven};
 use ezy_core::prelude::*;
 use ezy_models::registry::MODELS;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::load;
 use ezy_tests::shapes;
 
@@ -27,7 +28,7 @@ fn order_at_end(scene: &dyn Scene, answer: &str, until_s: f64, change: Change) -
     let reference = load(answer);
     let end = reference.iter().find(|r| r.t == until_s).expect("a reference at the end");
     let error = |h: &f64| {
-        let order = Simulation::new(scene).until(until_s).method(Method::rk4(*h));
+        let order = simulation(scene).until(until_s).method(Method::rk4(*h));
         distance(change(order).run().unwrap().last().coordinates, &end.q)
     };
     slope(&STEPS.each_ref().map(error))
@@ -82,7 +83,7 @@ fn order_rk4_is_four_in_every_scene() {
         // the motion that the scene declares: behind it may lie a singular position
         let horizon = SELF_HORIZON.min(scene.info().until_s);
         let end = |h: f64| {
-            let order = Simulation::new(&*scene).until(horizon).method(Method::rk4(h)).project(Projection::None);
+            let order = simulation(&*scene).until(horizon).method(Method::rk4(h)).project(Projection::None);
             order.run().unwrap().last().coordinates.to_vec()
         };
         let mut changes = Vec::new();

@@ -4,6 +4,7 @@ use crate::large::chain;
 use crate::scenes::{Case, assert_checks, coast, distance, set};
 use ezy_core::prelude::*;
 use ezy_tests::crank::{self, Crank};
+use ezy_tests::dynamic::{simulation, system_of};
 
 /// Rounding times the condition of K, which for chains grows with the square of their length.
 const ROUNDING: f64 = 1e-14;
@@ -20,7 +21,7 @@ fn cross_backends_on_chains_of_any_length() {
         let chain = chain::Swing { n };
         let mut solutions = Vec::new();
         for backend in [Backend::Dense, Backend::Sparse] {
-            let mut system = System::new(&chain, backend).unwrap();
+            let mut system = system_of(&chain, backend).unwrap();
             let state = system.consistent_start(&system.scene_start()).unwrap();
             let (mut a, mut lambda) = (vec![0.0; 3 * n], vec![0.0; 2 * n]);
             system.accelerations(state.t, &state.q, &state.v, &mut a, &mut lambda).unwrap();
@@ -43,7 +44,7 @@ fn fd_crank_passes_the_checks() {
 fn analytic_prescribed_angle_is_followed_with_its_torque() {
     let scene = Crank::default();
     for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
-        let run = Simulation::new(&scene).backend(backend).method(Method::rk4(1e-2)).every(0.1).run().unwrap();
+        let run = simulation(&scene).backend(backend).method(Method::rk4(1e-2)).every(0.1).run().unwrap();
         assert!(run.outcome.reached_end(), "{backend:?}: {}", run.outcome);
         for s in run.samples() {
             assert!((s.coordinates[2] - crank::angle(s.t)).abs() <= POSITION, "{backend:?} at {} s", s.t);
@@ -60,7 +61,7 @@ fn cross_backends_over_ten_powers_of_mass() {
     for Case { route, mut scene } in coast() {
         set(&mut *scene, &[("m2", 46e-10), ("i2", 10e-12)]);
         let ends = [Backend::Generated, Backend::Dense, Backend::Sparse].map(|backend| {
-            let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).backend(backend).until(0.5).run().unwrap();
+            let run = simulation(&*scene).method(Method::rk4(1e-3)).backend(backend).until(0.5).run().unwrap();
             assert!(run.outcome.reached_end(), "{route} {backend:?}: {}", run.outcome);
             run.last().coordinates.to_vec()
         });

@@ -2,6 +2,7 @@
 
 use crate::scenes::{assert_checks, distance};
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::system_of;
 use ezy_tests::piloted::piloted;
 
 /// Products of a handful of numbers up to a thousand.
@@ -9,13 +10,13 @@ const ROUNDING: f64 = 1e-11;
 /// The torque is a factor of the equations in one scene and folded into their constants in the other.
 const FOLDED: f64 = 1e-13;
 
-fn ready<S: Scene>(scene: &S) -> (System<&S>, State) {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+fn ready(scene: &dyn Scene) -> (System<&dyn Scene>, State) {
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     let state = system.consistent_start(&system.scene_start()).unwrap();
     (system, state)
 }
 
-fn accelerations<S: Scene>(system: &mut System<&S>, state: &State) -> Vec<f64> {
+fn accelerations(system: &mut System<&dyn Scene>, state: &State) -> Vec<f64> {
     let (mut a, mut lambda) = (vec![0.0; 6], vec![0.0; 4]);
     system.accelerations(state.t, &state.q, &state.v, &mut a, &mut lambda).unwrap();
     a

@@ -6,6 +6,7 @@ use ezy_core::prelude::*;
 use ezy_core::scalar::{DoubleDouble, Scalar};
 use ezy_models::ezy_roller;
 use ezy_tests::crank::Crank;
+use ezy_tests::dynamic::system_of;
 use ezy_tests::reference::{decimal, load_precise};
 
 ezy_core::model! {
@@ -66,7 +67,7 @@ fn reference_double_double_driven_over_a_minute() {
 #[test]
 fn invariant_energy_by_refined_factors() {
     let scene = ezy_roller::Coast { i2: 1e-6, ..Default::default() };
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     assert!(!system.uses_elimination());
     let start = system.consistent_start(&system.scene_start()).unwrap();
     let mut motion = PreciseMotion::new(&scene, &start).unwrap();

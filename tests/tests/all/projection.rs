@@ -2,6 +2,7 @@
 
 use crate::scenes::{Case, all, distance, driven};
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::{simulation, system_of};
 
 /// What the projection promises.
 const POSITION_RESIDUAL: f64 = 1e-12;
@@ -14,7 +15,7 @@ const METRICS: [Metric; 2] = [Metric::Mass, Metric::Euclidean];
 
 /// A consistent state in motion, and the same with every coordinate and velocity disturbed by about `size`.
 fn disturbed(scene: &dyn Scene, size: f64) -> (f64, Vec<f64>, Vec<f64>) {
-    let run = Simulation::new(scene).method(Method::rk4(1e-3)).until(0.7).run().unwrap();
+    let run = simulation(scene).method(Method::rk4(1e-3)).until(0.7).run().unwrap();
     let s = run.last();
     let off = |x: &[f64], phase: f64| {
         x.iter().enumerate().map(|(i, x)| x + size * (1.7 * i as f64 + phase).sin()).collect::<Vec<_>>()
@@ -26,7 +27,7 @@ fn disturbed(scene: &dyn Scene, size: f64) -> (f64, Vec<f64>, Vec<f64>) {
 fn invariant_both_projections_leave_no_residual() {
     for Case { route, scene } in all() {
         for metric in METRICS {
-            let run = Simulation::new(&*scene).method(Method::rk4(0.01)).metric(metric).until(1.0).every(0.1);
+            let run = simulation(&*scene).method(Method::rk4(0.01)).metric(metric).until(1.0).every(0.1);
             for s in run.run().unwrap().samples() {
                 let (position, velocity) = (s.position_residual, s.velocity_residual);
                 assert!(position <= POSITION_RESIDUAL, "{route} {metric:?}: {position:.1e} at {} s", s.t);
@@ -41,7 +42,7 @@ fn invariant_projection_brings_a_disturbed_state_back() {
     for Case { route, scene } in all() {
         let (t, q, v) = disturbed(&*scene, 1e-2);
         for metric in METRICS {
-            let mut system = System::new(&*scene, Backend::Auto).unwrap();
+            let mut system = system_of(&*scene, Backend::Auto).unwrap();
             let (mut q, mut v) = (q.clone(), v.clone());
             assert!(system.position_residual(t, &q) > 1e-3 && system.velocity_residual(t, &q, &v) > 1e-3);
             let passes = system.project_positions(t, &mut q, metric).unwrap();
@@ -56,7 +57,7 @@ fn invariant_projection_brings_a_disturbed_state_back() {
 #[test]
 fn invariant_consistent_positions_are_left_to_the_bit() {
     for Case { route, scene } in all() {
-        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut system = system_of(&*scene, Backend::Auto).unwrap();
         let state = system.consistent_start(&system.scene_start()).unwrap();
         let mut q = state.q.clone();
         assert_eq!(system.project_positions(state.t, &mut q, Metric::Mass), Ok(0), "{route}");
@@ -69,7 +70,7 @@ fn invariant_consistent_positions_are_left_to_the_bit() {
 fn analytic_mass_weighted_projection_splits_the_energy() {
     for Case { route, scene } in all() {
         let (t, mut q, disturbed_v) = disturbed(&*scene, 0.1);
-        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut system = system_of(&*scene, Backend::Auto).unwrap();
         system.project_positions(t, &mut q, Metric::Mass).unwrap();
         let mut v = disturbed_v.clone();
         system.project_velocities(t, &q, &mut v, Metric::Mass).unwrap();
@@ -85,7 +86,7 @@ fn analytic_mass_weighted_projection_splits_the_energy() {
 fn invariant_position_correction_obeys_the_skates() {
     for Case { route, scene } in all() {
         let (t, q, _) = disturbed(&*scene, 1e-3);
-        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut system = system_of(&*scene, Backend::Auto).unwrap();
         let mut residual = [0.0; 4];
         scene.position_constraint(system.fixed(), t, &q, &mut residual[..2]);
         let mut delta = [0.0; 6];
@@ -103,7 +104,7 @@ fn invariant_position_correction_obeys_the_skates() {
 fn analytic_euclidean_correction_is_the_shortest() {
     for Case { route, scene } in all() {
         let (t, q, v) = disturbed(&*scene, 0.1);
-        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut system = system_of(&*scene, Backend::Auto).unwrap();
         let mut residual = [0.0; 4];
         scene.velocity_constraint(system.fixed(), t, &q, &v, &mut residual);
         let (mut shortest, mut other) = ([0.0; 6], [0.0; 6]);
@@ -120,7 +121,7 @@ fn analytic_euclidean_correction_is_the_shortest() {
 fn invariant_velocity_projection_tames_the_drift() {
     for Case { route, scene } in driven() {
         let drift = |projection| {
-            let order = Simulation::new(&*scene).method(Method::rk4(0.02)).project(projection).until(10.0);
+            let order = simulation(&*scene).method(Method::rk4(0.02)).project(projection).until(10.0);
             order.run().unwrap().last().position_residual
         };
         let (none, velocities) = (drift(Projection::None), drift(Projection::Velocities));
@@ -135,8 +136,7 @@ fn regress_a_step_of_rk4_factors_four_times() {
     for Case { route, scene } in all() {
         for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
             let factorizations = |until_s: f64| {
-                let run =
-                    Simulation::new(&*scene).backend(backend).method(Method::rk4(1e-4)).until(until_s).run().unwrap();
+                let run = simulation(&*scene).backend(backend).method(Method::rk4(1e-4)).until(until_s).run().unwrap();
                 run.cost.factorizations
             };
             assert_eq!(factorizations(0.004) - factorizations(0.002), 4 * 20, "{route} {backend:?}");

@@ -5,6 +5,7 @@ use ezy_core::prelude::*;
 use ezy_core::simulate::{Cost, SetupError};
 use ezy_core::testing::StepsBy;
 use ezy_models::{chain, double_pendulum, ezy_roller, four_bar, road_train, roller_racer, single_track_car};
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{case, load, rows, worse};
 use ezy_tests::hand_roller::HandRoller;
 
@@ -54,7 +55,7 @@ fn order(errors: [f64; 3]) -> f64 {
 
 /// Where DOP853 gets to, with room for two digits.
 fn truth(scene: &dyn Scene, t: f64) -> Vec<f64> {
-    let run = Simulation::new(scene).method(Method::dop853(1e-14)).until(t).work().run().unwrap();
+    let run = simulation(scene).method(Method::dop853(1e-14)).until(t).work().run().unwrap();
     let last = run.last();
     [last.coordinates, last.velocities, last.work].concat()
 }
@@ -113,7 +114,7 @@ fn reference_radau_swings_on_a_stiff_spring() {
         let case = case(&file, name);
         let states = case["states"].as_array().unwrap();
         for (row, state) in rows(&case["rows"]).iter().zip(states) {
-            let run = Simulation::new(&scene).method(Method::radau(1e-9)).until(row[0]).run().unwrap();
+            let run = simulation(&scene).method(Method::radau(1e-9)).until(row[0]).run().unwrap();
             assert!(run.outcome.reached_end(), "{name}: {}", run.outcome);
             let [x, y] = [0, 1].map(|i| run.last().coordinates[i]);
             let [ref_x, ref_y] = [0, 1].map(|i| state["bodies"]["M"][i].as_f64().unwrap());
@@ -128,7 +129,7 @@ fn reference_radau_swings_on_a_stiff_spring() {
 #[test]
 fn analytic_radau_steps_are_not_held_by_a_damped_stiff_spring() {
     let scene = stiff::Swing { c: 2e3, ..Default::default() };
-    let run = Simulation::new(&scene).method(Method::radau(1e-6)).until(3.0).run().unwrap();
+    let run = simulation(&scene).method(Method::radau(1e-6)).until(3.0).run().unwrap();
     // a hundredth of a second each; the spring holds DOP853 to 1e-4 s and less
     assert!(run.outcome.reached_end() && run.cost.steps <= 300, "{} steps", run.cost.steps);
 }
@@ -136,7 +137,7 @@ fn analytic_radau_steps_are_not_held_by_a_damped_stiff_spring() {
 #[test]
 fn invariant_radau_keeps_the_energy_of_an_undamped_swing() {
     let scene = stiff::Swing::default();
-    let run = Simulation::new(&scene).method(Method::radau(1e-9)).until(5.0).every(0.1).run().unwrap();
+    let run = simulation(&scene).method(Method::radau(1e-9)).until(5.0).every(0.1).run().unwrap();
     let energy = |s: Sample<'_>| s.energy.kinetic + s.energy.potential;
     let worst = run.samples().fold(0.0, |m: f64, s| worse(m, energy(s) - energy(run.first())));
     // two swings turn 9.81 J over
@@ -152,7 +153,7 @@ fn reference_radau_follows_a_caster_on_a_short_trail() {
         let scene = cart::Coast { trail, ..Default::default() };
         for state in case(&file, name)["states"].as_array().unwrap() {
             let t = state["t"].as_f64().unwrap();
-            let run = Simulation::new(&scene).method(Method::radau(1e-9)).until(t).run().unwrap();
+            let run = simulation(&scene).method(Method::radau(1e-9)).until(t).run().unwrap();
             let expected = ["cart", "caster"].map(|body| {
                 let numbers = state["bodies"][body].as_array().unwrap();
                 numbers.iter().map(|x| x.as_f64().unwrap()).collect::<Vec<_>>()
@@ -167,9 +168,9 @@ fn reference_radau_follows_a_caster_on_a_short_trail() {
 }
 
 /// A start from which an error of the caster's angle by a tolerance is one of its rate by 40,000.
-fn fast<'s, S: Scene>(scene: &'s S, method: Method) -> Simulation<'s, &'s S> {
+fn fast(scene: &dyn Scene, method: Method) -> Simulation<'_, &dyn Scene> {
     let start = [("cart.vx", 20.0), ("cart.omega", 8.0), ("caster.phi", 1.2)];
-    let order = Simulation::new(scene).method(method).until(0.5).project_start();
+    let order = simulation(scene).method(method).until(0.5).project_start();
     start.iter().fold(order, |order, (name, value)| order.start(*name, *value))
 }
 
@@ -220,7 +221,7 @@ fn cross_radau_events_of_a_caster_keep_to_the_tolerance() {
 #[test]
 fn invariant_radau_seldom_repeats_steps_in_a_steady_circle() {
     let scene = road_train::Circling { l: 7e-4, n: 1, ..Default::default() };
-    let cost = Simulation::new(&scene).method(Method::radau(1e-8)).until(5.0).run().unwrap().cost;
+    let cost = simulation(&scene).method(Method::radau(1e-8)).until(5.0).run().unwrap().cost;
     // one in four, and those of the beginning
     assert!(cost.rejected <= cost.steps / 3, "{} of {} steps", cost.rejected, cost.steps);
 }
@@ -228,7 +229,7 @@ fn invariant_radau_seldom_repeats_steps_in_a_steady_circle() {
 /// Next to a singular position, rounding of positions is more of a velocity than the tolerance allows.
 #[test]
 fn invariant_radau_takes_no_rounding_for_an_error() {
-    let run = Simulation::new(&four_bar::Turning::default()).method(Method::radau(1e-14)).until(1.3).run().unwrap();
+    let run = simulation(&four_bar::Turning::default()).method(Method::radau(1e-14)).until(1.3).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
 }
 
@@ -237,8 +238,7 @@ fn invariant_radau_takes_no_rounding_for_an_error() {
 fn analytic_radau_steps_are_not_held_by_a_caster() {
     let trail = 1e-3;
     let scene = cart::Coast { trail, ..Default::default() };
-    let steps =
-        |until_s: f64| Simulation::new(&scene).method(Method::radau(1e-6)).until(until_s).run().unwrap().cost.steps;
+    let steps = |until_s: f64| simulation(&scene).method(Method::radau(1e-6)).until(until_s).run().unwrap().cost.steps;
     // the caster aligns in a few trail/v, 1 ms each
     let (aligned, until) = (steps(0.2), steps(2.2));
     let mean = 2.0 / (until - aligned) as f64;
@@ -250,7 +250,7 @@ fn cross_radau_and_dop853_on_scenes_without_stiffness() {
     let scenes: [&dyn Scene; 2] = [&ezy_roller::Driven::default(), &double_pendulum::Swing::default()];
     for scene in scenes {
         let end = |method| {
-            let run = Simulation::new(scene).method(method).until(2.0).work().run().unwrap();
+            let run = simulation(scene).method(method).until(2.0).work().run().unwrap();
             [run.last().coordinates, run.last().velocities, run.last().work].concat()
         };
         let difference = distance(&end(Method::radau(1e-10)), &end(Method::dop853(1e-13)));
@@ -280,7 +280,7 @@ fn invariant_radau_steps_do_not_depend_on_ratios_of_masses() {
     for tolerance in [1e-9, 1e-11] {
         let run = |[m1, m2]: [f64; 2], method| {
             let scene = double_pendulum::Swing { m1, m2, ..Default::default() };
-            Simulation::new(&scene).method(method).until(1.0).run().unwrap()
+            simulation(&scene).method(method).until(1.0).run().unwrap()
         };
         let equal = run([1.0, 1.0], Method::radau(tolerance)).cost;
         for masses in APART {
@@ -302,7 +302,7 @@ fn invariant_radau_steps_do_not_depend_on_the_unit_of_mass() {
     for [m1, m2] in [[1.0, 1.0], [1.0, 1e10], [1e10, 1.0]] {
         let run = |unit: f64| {
             let scene = double_pendulum::Swing { m1: unit * m1, m2: unit * m2, ..Default::default() };
-            Simulation::new(&scene).method(Method::radau(1e-10)).until(1.0).run().unwrap()
+            simulation(&scene).method(Method::radau(1e-10)).until(1.0).run().unwrap()
         };
         let plain = run(1.0);
         for unit in [1e-9, 1e9] {
@@ -321,7 +321,7 @@ fn invariant_radau_steps_do_not_depend_on_the_unit_of_mass() {
 fn cross_radau_and_dop853_on_a_chain_with_friction() {
     let n = 30;
     let scene = chain::Settle { n, l: 1.0 / n as f64, m: 1.0 / n as f64, d: 1e-3, ..Default::default() };
-    let run = |method| Simulation::new(&scene).method(method).until(0.05).run().unwrap();
+    let run = |method| simulation(&scene).method(method).until(0.05).run().unwrap();
     let (found, expected) = (run(Method::radau(1e-8)), run(Method::dop853(1e-10)));
     let difference = distance(found.last().coordinates, expected.last().coordinates);
     // a tolerance is kept per step
@@ -331,7 +331,7 @@ fn cross_radau_and_dop853_on_a_chain_with_friction() {
 #[test]
 fn invariant_radau_samples_keep_to_the_tolerance_and_meet_the_rows() {
     let scene = ezy_roller::Driven::default();
-    let order = |method| Simulation::new(&scene).method(method).until(2.0).every(0.01).run().unwrap();
+    let order = |method| simulation(&scene).method(method).until(2.0).every(0.01).run().unwrap();
     let (coarse, fine) = (order(Method::radau(1e-6)), order(Method::dop853(1e-12)));
     for (sample, exact) in coarse.samples().zip(fine.samples()) {
         let error = distance(sample.coordinates, exact.coordinates);
@@ -343,7 +343,7 @@ fn invariant_radau_samples_keep_to_the_tolerance_and_meet_the_rows() {
 
 #[test]
 fn analytic_radau_refuses_a_scene_without_jacobians() {
-    let outcome = Simulation::new(&HandRoller::driven()).method(Method::radau(1e-9)).run();
+    let outcome = simulation(&HandRoller::driven()).method(Method::radau(1e-9)).run();
     assert!(matches!(outcome, Err(SetupError::NoJacobians { scene: "driven" })));
 }
 
@@ -351,11 +351,11 @@ fn analytic_radau_refuses_a_scene_without_jacobians() {
 #[test]
 fn analytic_dop853_says_that_stiffness_holds_it() {
     let scene = cart::Coast { trail: 1e-3, ..Default::default() };
-    let run = Simulation::new(&scene).method(Method::dop853(1e-6)).run().unwrap();
+    let run = simulation(&scene).method(Method::dop853(1e-6)).run().unwrap();
     let since = run.stiff_since_s.expect("a remark");
     // the caster aligns in a few milliseconds; fifty steps pass until one is looked at, and fifteen more
     assert!((0.01..1.0).contains(&since), "since {since} s");
-    assert_eq!(Simulation::new(&scene).method(Method::radau(1e-6)).run().unwrap().stiff_since_s, None);
+    assert_eq!(simulation(&scene).method(Method::radau(1e-6)).run().unwrap().stiff_since_s, None);
 }
 
 /// Rubber turns its trucks back at c/j = 270 per second, while the rider takes a second for a turn.
@@ -369,7 +369,7 @@ fn invariant_no_scene_without_stiffness_is_called_stiff() {
             continue;
         }
         let until_s = scene.info().until_s.min(2.0);
-        let Ok(run) = Simulation::new(&*scene).method(Method::dop853(1e-9)).until(until_s).run() else { continue };
+        let Ok(run) = simulation(&*scene).method(Method::dop853(1e-9)).until(until_s).run() else { continue };
         assert_eq!(run.stiff_since_s, None, "{}/{}", scene.info().model, scene.info().name);
     }
 }
@@ -390,7 +390,7 @@ fn reference_radau_over_a_steep_knee_of_friction() {
     for (knee, expected) in OVER_KNEES {
         let scene = roller_racer::RowedOnTarmac { knee, ..Default::default() };
         for tolerance in [1e-6, 1e-7, 1e-8, 1e-9] {
-            let run = Simulation::new(&scene).method(Method::radau(tolerance)).until(1.0).run().unwrap();
+            let run = simulation(&scene).method(Method::radau(tolerance)).until(1.0).run().unwrap();
             let error = (run.last().get("handle.phi").unwrap() - expected).abs();
             let steps = run.cost.steps;
             assert!(error <= ADDED_UP * tolerance, "{knee:.0e} at {tolerance:.0e}: off by {error:.1e}, {steps} steps");
@@ -404,7 +404,7 @@ fn reference_radau_over_a_steep_knee_of_friction() {
 #[test]
 fn cross_radau_samples_keep_to_the_tolerance_where_friction_is_stiff() {
     let scene = roller_racer::RowedOnTarmac { h: 0.62, m1: 0.104, omega: -0.38, knee: 1.5e-6, ..Default::default() };
-    let samples = |method| Simulation::new(&scene).method(method).until(0.38).every(0.38 / 32.0).run().unwrap();
+    let samples = |method| simulation(&scene).method(method).until(0.38).every(0.38 / 32.0).run().unwrap();
     let of = |sample: Sample<'_>| [sample.coordinates, sample.velocities].concat();
     const TOLERANCE: f64 = 1e-9;
     let (run, reference) = (samples(Method::radau(TOLERANCE)), samples(Method::dop853(1e-12)));
@@ -429,7 +429,7 @@ fn cross_radau_follows_fast_oscillations_above_the_tolerance() {
     };
     const UNTIL_S: f64 = 1.326_752_35;
     const TOLERANCE: f64 = 1.057_557e-10;
-    let samples = |method| Simulation::new(&scene).method(method).until(UNTIL_S).every(UNTIL_S / 32.0).run().unwrap();
+    let samples = |method| simulation(&scene).method(method).until(UNTIL_S).every(UNTIL_S / 32.0).run().unwrap();
     let (run, reference) = (samples(Method::radau(TOLERANCE)), samples(Method::dop853(1e-13)));
     assert_eq!((run.samples().len(), reference.samples().len()), (33, 33), "{}", run.outcome);
     let of = |sample: Sample<'_>| sample.get("car.omega").unwrap();
@@ -462,7 +462,7 @@ fn cross_radau_steps_do_not_pass_over_turns_of_a_torque() {
     ];
     for (scene, until_s, given) in cases {
         let samples = |method: Method| {
-            let order = Simulation::new(scene).method(method).until(until_s).every(until_s / 32.0).project_start();
+            let order = simulation(scene).method(method).until(until_s).every(until_s / 32.0).project_start();
             given.iter().fold(order, |order, given: &(&str, f64)| order.start(given.0, given.1)).run().unwrap()
         };
         let reference = samples(Method::dop853(1e-11));

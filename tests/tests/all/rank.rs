@@ -4,6 +4,7 @@ use crate::scenes::{Case, coast, set};
 use ezy_core::dynamics::RankLoss;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
+use ezy_tests::dynamic::{simulation, system_of};
 
 const BACKENDS: [Backend; 3] = [Backend::Generated, Backend::Dense, Backend::Sparse];
 
@@ -12,7 +13,7 @@ const ROUNDING: f64 = 1e-15;
 
 /// Both wheels at the hinge, the bar at an angle to the seat.
 fn wheels_at_the_hinge(scene: &dyn Scene, psi: f64, phi: f64, backend: Backend) -> Result<Run, SetupError> {
-    Simulation::new(scene)
+    simulation(scene)
         .method(Method::rk4(1e-3))
         .backend(backend)
         .until(0.01)
@@ -79,7 +80,7 @@ fn invariant_projections_meet_the_rows_where_rank_is_lost() {
         set(&mut *scene, &[("b", -0.2), ("d", -0.1)]);
         for backend in BACKENDS {
             for metric in [Metric::Mass, Metric::Euclidean] {
-                let mut system = System::new(&*scene, backend).unwrap();
+                let mut system = system_of(&*scene, backend).unwrap();
                 let mut v = [0.1; 6];
                 let solved = system.project_velocities(0.0, &[0.0; 6], &mut v, metric).unwrap();
                 let left = system.velocity_residual(0.0, &[0.0; 6], &v);

@@ -4,6 +4,7 @@ use crate::scenes::{Case, all, distance, driven};
 use ezy_core::prelude::*;
 use ezy_core::record::columns;
 use ezy_core::simulate::SetupError;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::load;
 use std::io::Write;
 
@@ -14,7 +15,7 @@ const BETWEEN_STEPS: f64 = 2e-7;
 fn invariant_recording_never_changes_the_motion() {
     for Case { route, scene } in all() {
         let run = |method: Method, every: Option<f64>| {
-            let order = Simulation::new(&*scene).work().until(1.0).method(method);
+            let order = simulation(&*scene).work().until(1.0).method(method);
             let order = if let Some(every) = every { order.every(every) } else { order };
             order.run().unwrap().last().numbers().map(f64::to_bits).collect::<Vec<_>>()
         };
@@ -33,7 +34,7 @@ fn invariant_recording_never_changes_the_motion() {
 #[test]
 fn invariant_run_prints_itself_on_one_screen() {
     for Case { route, scene } in all() {
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(1.0).every(1e-3).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).until(1.0).every(1e-3).run().unwrap();
         let (line, lines) = (format!("{run:?}"), format!("{run:#?}"));
         assert!(line.contains("ReachedEnd") && line.contains("n_samples: 1001"), "{route}: {line}");
         assert!(lines.lines().count() <= 24, "{route}: {lines}");
@@ -49,7 +50,7 @@ fn invariant_samples_fall_on_the_grid_and_the_end() {
             (0.1, 0.3, 0.6, vec![0.0, 0.3, 0.6]),
             (0.5, 2.0, 0.75, vec![0.0, 0.75]),
         ] {
-            let run = Simulation::new(&*scene).method(Method::rk4(step)).every(every).until(until).run().unwrap();
+            let run = simulation(&*scene).method(Method::rk4(step)).every(every).until(until).run().unwrap();
             let times: Vec<f64> = run.samples().map(|s| s.t).collect();
             assert!(times.len() == expected.len() && distance(&times, &expected) < 1e-12, "{route}: {times:?}");
             assert_eq!(run.last().t, until, "{route}: the end to the bit");
@@ -60,7 +61,7 @@ fn invariant_samples_fall_on_the_grid_and_the_end() {
 #[test]
 fn invariant_without_interval_only_start_and_end_are_kept() {
     for Case { route, scene } in all() {
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
         let times: Vec<f64> = run.samples().map(|s| s.t).collect();
         assert_eq!(times, [0.0, 0.5], "{route}");
     }
@@ -70,7 +71,7 @@ fn invariant_without_interval_only_start_and_end_are_kept() {
 fn reference_samples_between_steps() {
     let reference = load("ezyroller_driven");
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).method(Method::rk4(0.03)).until(1.0).every(0.5).work().run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(0.03)).until(1.0).every(0.5).work().run().unwrap();
         let (s, r) = (run.samples().nth(1).unwrap(), &reference[1]);
         assert_eq!(s.t, r.t);
         for (what, error) in [
@@ -87,7 +88,7 @@ fn reference_samples_between_steps() {
 #[test]
 fn invariant_sample_names_cover_all_numbers() {
     for Case { route, scene } in all() {
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).work().until(0.1).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).work().until(0.1).run().unwrap();
         let s = run.last();
         for (column, number) in columns(s.info, s.wanted).iter().zip(s.numbers()) {
             assert_eq!(s.get(&column.name), Ok(number), "{route}: {}", column.name);
@@ -105,7 +106,7 @@ fn invariant_csv_gives_back_the_same_bits() {
     for Case { route, scene } in driven() {
         let mut file = Vec::new();
         let mut writer = CsvWriter::new(&mut file);
-        let run = Simulation::new(&*scene)
+        let run = simulation(&*scene)
             .method(Method::rk4(1e-3))
             .until(1.0)
             .every(0.1)
@@ -145,7 +146,7 @@ impl Write for FullDisk {
 fn invariant_full_disk_stops_the_run_and_keeps_the_samples() {
     for Case { route, scene } in driven() {
         let mut writer = CsvWriter::new(FullDisk(5000));
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).every(0.1).record_to(&mut writer).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).every(0.1).record_to(&mut writer).run().unwrap();
         assert!(!run.outcome.reached_end(), "{route}");
         assert!(run.outcome.to_string().contains("could not be written"), "{route}: {}", run.outcome);
         assert!(run.samples().len() > 5, "{route}");
@@ -167,13 +168,8 @@ impl Recorder for Times {
 fn invariant_recorder_gets_every_sample_once() {
     for Case { route, scene } in driven() {
         let mut times = Times::default();
-        let run = Simulation::new(&*scene)
-            .method(Method::rk4(1e-3))
-            .until(1.0)
-            .every(0.07)
-            .record_to(&mut times)
-            .run()
-            .unwrap();
+        let run =
+            simulation(&*scene).method(Method::rk4(1e-3)).until(1.0).every(0.07).record_to(&mut times).run().unwrap();
         assert_eq!(times.0, run.samples().map(|s| s.t).collect::<Vec<_>>(), "{route}");
     }
 }
@@ -183,7 +179,7 @@ fn invariant_recorder_gets_every_sample_once() {
 fn cross_samples_at_given_times_are_those_at_equal_intervals() {
     for Case { route, scene } in driven() {
         for method in [Method::rk4(3e-3), Method::dop853(1e-8)] {
-            let order = || Simulation::new(&*scene).method(method).until(1.0);
+            let order = || simulation(&*scene).method(method).until(1.0);
             let (grid, given) = (order().every(0.25), order().at([0.75, 1.0, 0.25, 0.0, 0.25]));
             let (grid, given) = (grid.run().unwrap(), given.run().unwrap());
             let bits = |sample: Sample<'_>| sample.numbers().map(f64::to_bits).collect::<Vec<_>>();
@@ -197,7 +193,7 @@ fn cross_samples_at_given_times_are_those_at_equal_intervals() {
 fn analytic_sample_times_outside_of_the_run_are_refused() {
     for Case { scene, .. } in driven() {
         for t in [-0.1, 1.5, f64::NAN] {
-            let error = Simulation::new(&*scene).until(1.0).at([0.5, t]).run().unwrap_err();
+            let error = simulation(&*scene).until(1.0).at([0.5, t]).run().unwrap_err();
             assert!(matches!(error, SetupError::SampleTime { .. }), "{error}");
         }
     }

@@ -7,6 +7,7 @@ use ezy_core::dynamics::MotionError;
 use ezy_core::model;
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::{simulation, system_of};
 
 model! {
     /// A cart on one axle with two wheels, beside the same with one.
@@ -107,7 +108,7 @@ const METHODS: [Method; 5] =
 fn cross_two_wheels_on_one_axle_move_like_one() {
     for method in METHODS {
         for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
-            let order = |scene: &dyn Scene| Simulation::new(scene).method(method).backend(backend).run().unwrap();
+            let order = |scene: &dyn Scene| simulation(scene).method(method).backend(backend).run().unwrap();
             let one = order(&axle::One::default());
             let two = order(&axle::Two::default());
             for (x, y) in one.last().coordinates.iter().zip(two.last().coordinates) {
@@ -127,17 +128,17 @@ fn cross_two_wheels_on_one_axle_move_like_one() {
 #[test]
 fn analytic_wheels_beside_one_axle_are_independent() {
     let scene = axle::Two { right_x: 0.3, ..Default::default() };
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).start("cart.omega", 0.0).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).start("cart.omega", 0.0).run().unwrap();
     assert!(run.rank.intervals.is_empty());
 }
 
 #[test]
 fn analytic_motors_that_agree_share_the_work_and_others_are_an_error() {
     for method in METHODS {
-        let run = Simulation::new(&two_motors::Turn::default()).method(method).run().unwrap();
+        let run = simulation(&two_motors::Turn::default()).method(method).run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
         let scene = two_motors::Turn { more: 0.5, ..Default::default() };
-        let error = Simulation::new(&scene).method(method).run().unwrap_err().to_string();
+        let error = simulation(&scene).method(method).run().unwrap_err().to_string();
         assert!(error.contains("contradict each other") && error.contains("first, second"), "{method:?}: {error}");
     }
 }
@@ -147,7 +148,7 @@ fn analytic_motors_that_agree_share_the_work_and_others_are_an_error() {
 fn analytic_motors_that_part_are_followed_to_a_tenth_of_a_nanometre() {
     let outcome = |more| {
         let scene = two_motors::Turn { more, ..Default::default() };
-        Simulation::new(&scene).method(Method::rk4(0.01)).run().unwrap().outcome.to_string()
+        simulation(&scene).method(Method::rk4(0.01)).run().unwrap().outcome.to_string()
     };
     let (agree, differ) = (outcome(4e-10), outcome(4e-8));
     assert!(agree.starts_with("reached the end"), "{agree}");
@@ -162,7 +163,7 @@ fn analytic_belts_that_differ_are_refused_where_they_begin_to() {
     // as shares of 9.81 m/s² and of 1 m/s: what the belts ask for differs by this after a step
     for (more, level) in [(1.0, "of the accelerations"), (0.02, "of the velocities")] {
         let scene = two_belts::Fall { more, ..Default::default() };
-        let run = Simulation::new(&scene).method(Method::rk4(STEP_S)).run();
+        let run = simulation(&scene).method(Method::rk4(STEP_S)).run();
         let (at, message) = match run {
             Err(error) => (0.0, error.to_string()),
             Ok(run) => (run.last().t, run.outcome.to_string()),
@@ -182,7 +183,7 @@ fn reference_five_cranks_swing_like_one_and_three_rows_are_redundant() {
     {
         for (from_top, expected) in FIVE_CRANKS {
             let scene = five_cranks::Swing { from_top };
-            let run = Simulation::new(&scene).method(method).run().unwrap();
+            let run = simulation(&scene).method(method).run().unwrap();
             let last = run.last();
             let phi = std::f64::consts::FRAC_PI_2 - last.coordinates[2];
             assert!((phi - expected).abs() <= 1e-8, "{method:?}: {phi}");
@@ -207,7 +208,7 @@ const BACKENDS: [Backend; 3] = [Backend::Generated, Backend::Dense, Backend::Spa
 /// A cart that turns and slips: one wheel at `right_x`, the other at 0.25 m.
 fn accelerations_of_axle(right_x: f64, backend: Backend) -> (Result<[f64; 5], MotionError>, bool) {
     let scene = axle::Two { right_x, ..Default::default() };
-    let mut system = System::new(&scene, backend).unwrap();
+    let mut system = system_of(&scene, backend).unwrap();
     let mut x = [0.0; 5];
     let (a, lambda) = x.split_at_mut(3);
     let outcome = system.accelerations(0.0, &[0.0, 0.0, 0.3], &[0.5, 0.1, 2.0], a, lambda);
@@ -245,7 +246,7 @@ fn invariant_wheels_within_rounding_of_one_axle_are_refused_by_name() {
 fn analytic_accelerations_of_motors_that_differ_are_refused_by_name() {
     for (more, agrees) in [(0.0, true), (1e-6, false), (0.5, false)] {
         let scene = two_motors::Turn { more, ..Default::default() };
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let state = system.consistent_start(&system.scene_start()).unwrap();
         let (mut a, mut lambda) = (vec![0.0; state.q.len()], vec![0.0; system.info().n_rows()]);
         let outcome = system.accelerations(state.t, &state.q, &state.v, &mut a, &mut lambda);

@@ -4,6 +4,7 @@ use crate::scenes::assert_checks;
 use ezy_core::dynamics::SystemError;
 use ezy_core::model::LayoutFault;
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::{simulation, system_of};
 
 model! {
     /// A hub with spokes, a train of carts behind it, sledges on a grid.
@@ -103,7 +104,7 @@ model! {
 #[test]
 fn analytic_indices_that_divide_are_rounded_down() {
     for n in 1..8 {
-        let run = Simulation::new(&halves::Run { n }).method(Method::rk4(1e-3)).run().unwrap();
+        let run = simulation(&halves::Run { n }).method(Method::rk4(1e-3)).run().unwrap();
         let a = run.last().accelerations;
         for member in 0..n {
             let above = (0..n).filter(|i| (i + 1) / 3 == member).count();
@@ -152,7 +153,7 @@ fn analytic_names_and_sizes_follow_the_counts() {
 #[test]
 fn analytic_gravity_acts_on_every_member() {
     let scene = everything::All { n: 2, m: 1, ..Default::default() };
-    let system = System::new(&scene, Backend::Auto).unwrap();
+    let system = system_of(&scene, Backend::Auto).unwrap();
     let info = system.info();
     let mut force = vec![0.0; info.n_coordinates()];
     let zero = vec![0.0; info.n_coordinates()];
@@ -164,7 +165,7 @@ fn analytic_gravity_acts_on_every_member() {
 
 #[test]
 fn invariant_member_that_a_count_lacks_is_named() {
-    let fault = match System::new(&sixth::Run { n: 5 }, Backend::Auto).err() {
+    let fault = match system_of(&sixth::Run { n: 5 }, Backend::Auto).err() {
         Some(SystemError::Layout(fault)) => fault,
         other => panic!("{other:?}"),
     };
@@ -177,5 +178,5 @@ fn invariant_member_that_a_count_lacks_is_named() {
         "rod `last` uses `link` at the index 5, but its indices go from 0 to 4: change the range of the `for`, the index \
          or the count"
     );
-    assert!(System::new(&sixth::Run { n: 7 }, Backend::Auto).is_ok());
+    assert!(system_of(&sixth::Run { n: 7 }, Backend::Auto).is_ok());
 }

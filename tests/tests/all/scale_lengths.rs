@@ -4,6 +4,7 @@ use ezy_core::prelude::*;
 use ezy_models::mechanisms::four_bar::four_bar;
 use ezy_models::mechanisms::pendulum::pendulum::Swing;
 use ezy_models::registry::MODELS;
+use ezy_tests::dynamic::{simulation, system_of};
 
 /// The four-bar with all lengths, and gravity with them, and all masses in other units: angles move alike.
 fn scaled(length: f64, mass: f64) -> four_bar::Turning {
@@ -27,7 +28,7 @@ const RESIDUAL: f64 = 1e-12;
 #[test]
 fn invariant_motion_in_any_unit_of_length_and_mass() {
     let angles = |scene: &four_bar::Turning, length: f64, method: Method| {
-        let run = Simulation::new(scene).method(method).until(1.0).run().unwrap();
+        let run = simulation(scene).method(method).until(1.0).run().unwrap();
         assert!(run.outcome.reached_end(), "{length} m: {}", run.outcome);
         assert!(run.last().position_residual <= RESIDUAL * length, "{length} m: {:.1e}", run.last().position_residual);
         let q = run.last().coordinates.to_vec();
@@ -48,7 +49,7 @@ fn invariant_motion_in_any_unit_of_length_and_mass() {
 fn invariant_solver_does_not_depend_on_units() {
     for (length, mass) in [(1e-6, 1.0), (1.0, 1.0), (1e6, 1.0), (1.0, 1e-9), (1.0, 1e9)] {
         let scene = scaled(length, mass);
-        assert!(System::new(&scene, Backend::Auto).unwrap().uses_elimination(), "{length} m, {mass} kg");
+        assert!(system_of(&scene, Backend::Auto).unwrap().uses_elimination(), "{length} m, {mass} kg");
     }
 }
 
@@ -56,11 +57,11 @@ fn invariant_solver_does_not_depend_on_units() {
 #[test]
 fn invariant_levers_and_masses_too_far_apart_are_not_eliminated() {
     let heavy = |m3| four_bar::Turning { m3, ..scaled(1.0, 1.0) };
-    assert!(System::new(&heavy(1e22), Backend::Generated).is_ok());
+    assert!(system_of(&heavy(1e22), Backend::Generated).is_ok());
     for m3 in [1e26, 1e120] {
         let scene = heavy(m3);
-        assert!(!System::new(&scene, Backend::Auto).unwrap().uses_elimination(), "{m3} kg");
-        let Err(error) = System::new(&scene, Backend::Generated) else { panic!("{m3} kg") };
+        assert!(!system_of(&scene, Backend::Auto).unwrap().uses_elimination(), "{m3} kg");
+        let Err(error) = system_of(&scene, Backend::Generated) else { panic!("{m3} kg") };
         assert!(error.to_string().contains("too far apart for the generated backend"), "{error}");
     }
 }
@@ -70,8 +71,8 @@ fn invariant_levers_and_masses_too_far_apart_are_not_eliminated() {
 fn invariant_masses_whose_powers_are_no_doubles_are_not_eliminated() {
     for (mass, eliminated) in [(1e-180, false), (1e-102, false), (1e-98, true), (1e180, false)] {
         let scene = scaled(1.0, mass);
-        assert_eq!(System::new(&scene, Backend::Auto).unwrap().uses_elimination(), eliminated, "{mass} kg");
-        assert_eq!(System::new(&scene, Backend::Generated).is_ok(), eliminated, "{mass} kg");
+        assert_eq!(system_of(&scene, Backend::Auto).unwrap().uses_elimination(), eliminated, "{mass} kg");
+        assert_eq!(system_of(&scene, Backend::Generated).is_ok(), eliminated, "{mass} kg");
     }
 }
 
@@ -79,7 +80,7 @@ fn invariant_masses_whose_powers_are_no_doubles_are_not_eliminated() {
 #[test]
 fn invariant_inertia_that_underflows_is_none() {
     let scene = Swing { l: 1e-170, ..Swing::default() };
-    let system = System::new(&scene, Backend::Auto).unwrap();
+    let system = system_of(&scene, Backend::Auto).unwrap();
     assert!(system.mass_matrix()[2] == 0.0 && !system.uses_elimination(), "{:?}", system.mass_matrix());
 }
 
@@ -90,7 +91,7 @@ fn invariant_gap_counts_relative_to_the_bars() {
         let scene = scaled(length, 1.0);
         let run = |gap: f64| {
             let (x, y) = (0.5 * length * 1.0_f64.cos() + gap * length, 0.5 * length * 1.0_f64.sin());
-            Simulation::new(&scene).until(0.0).start("crank.x", x).start("crank.y", y).start("crank.phi", 1.0).run()
+            simulation(&scene).until(0.0).start("crank.x", x).start("crank.y", y).start("crank.phi", 1.0).run()
         };
         assert!(run(0.0).is_ok(), "{length} m: {}", run(0.0).err().map_or_else(String::new, |e| e.to_string()));
         assert!(run(1e-7).is_err(), "{length} m");
@@ -102,7 +103,7 @@ fn invariant_gap_counts_relative_to_the_bars() {
 fn invariant_shipped_scenes_with_masses_are_eliminated() {
     for entry in MODELS.iter().flat_map(|model| model.scenes) {
         let scene = (entry.new)();
-        let system = System::new(&*scene, Backend::Auto).unwrap();
+        let system = system_of(&*scene, Backend::Auto).unwrap();
         let has_masses = system.mass_matrix().iter().all(|m| *m > 0.0);
         let eliminated = system.uses_elimination() || !scene.info().has_elimination();
         assert!(eliminated || !has_masses, "{} {}", scene.info().model, scene.info().name);
@@ -114,7 +115,7 @@ fn regress_short_levers_take_no_more_projections() {
     // angles of levers below a millimetre move a thousand times as much as points, and no constraint is nearly redundant
     let factorizations = |length: f64| {
         let scene = scaled(length, 1.0);
-        let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
+        let run = simulation(&scene).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
         assert!(run.outcome.reached_end(), "{length} m: {}", run.outcome);
         run.cost.factorizations
     };

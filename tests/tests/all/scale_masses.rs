@@ -2,6 +2,7 @@
 //! motion is in the hard cases `mass_ratio_…`.
 
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::system_of;
 
 ezy_core::model! {
     /// Two uniform rods of 1 m under a bearing.
@@ -56,7 +57,7 @@ fn analytic_accelerations_of_any_ratio_of_masses() {
         let heavy = 10_f64.powi(exponent);
         for masses in [[1.0, heavy], [heavy, 1.0], [1.0 / heavy, 1.0], [1.0, 1.0 / heavy]] {
             let scene = rods(masses[0], masses[1]);
-            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let mut system = system_of(&scene, Backend::Auto).unwrap();
             let State { t, q, v, .. } = system.consistent_start(&system.scene_start()).unwrap();
             let (mut a, mut lambda) = ([0.0; 6], [0.0; 4]);
             system.accelerations(t, &q, &v, &mut a, &mut lambda).unwrap();
@@ -72,7 +73,7 @@ fn cross_accelerations_of_a_rope_of_light_rods_are_the_dense_ones() {
     // the sparse solver, which divides by masses, leaves 1e-9 of a load that hangs on one light rod
     let accelerations = |n, backend| {
         let scene = rope::Swing { n, ..Default::default() };
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let State { t, q, v, .. } = system.consistent_start(&system.scene_start()).unwrap();
         let (mut a, mut lambda) = (vec![0.0; q.len()], vec![0.0; system.info().n_rows()]);
         system.accelerations(t, &q, &v, &mut a, &mut lambda).unwrap();

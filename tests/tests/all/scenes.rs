@@ -1,9 +1,10 @@
 //! The scenes that the tests run over.
 
 use ezy_core::model::Scene;
-use ezy_core::prelude::{Backend, State, System};
+use ezy_core::prelude::{Backend, State};
 use ezy_core::testing::{GivenSteps, StepsBy, check_scene};
 use ezy_models::ezy_roller;
+use ezy_tests::dynamic::system_of;
 pub use ezy_tests::garage::set;
 use ezy_tests::hand_roller::HandRoller;
 
@@ -59,7 +60,7 @@ pub fn rk4<const N: usize>(slope: impl Fn(f64, &[f64; N]) -> [f64; N], t: f64, y
 
 /// The state after steps of these lengths from the start of a scene, without projection, and in the middle of the last one.
 pub fn stepped(scene: &dyn Scene, by: StepsBy, lengths: impl IntoIterator<Item = f64>) -> [State; 2] {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     let start = system.consistent_start(&system.scene_start()).unwrap();
     let mut steps = GivenSteps::new(system, start, by).expect("the scene has what the method needs");
     let mut end = None;

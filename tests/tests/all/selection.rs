@@ -2,8 +2,8 @@
 
 use ezy_core::integrate::Method;
 use ezy_core::model::{Operations, Scene, SceneInfo};
-use ezy_core::simulate::Simulation;
 use ezy_models::ezy_roller;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::page::{docs, part, write_part};
 use ezy_tests::piloted::{piloted, unpiloted};
 use ezy_tests::plain_rollers::{coasting, drifting, pumped};
@@ -42,8 +42,7 @@ fn invariant_scene_has_the_parameters_of_the_model_without_the_rest() {
 fn invariant_scene_moves_bit_for_bit_like_the_model_without_the_rest() {
     for (scene, alone) in pairs() {
         let bits = |scene: &dyn Scene| {
-            let run =
-                Simulation::new(scene).method(Method::rk4(1e-3)).until(1.0).every(0.1).run().expect("the scene runs");
+            let run = simulation(scene).method(Method::rk4(1e-3)).until(1.0).every(0.1).run().expect("the scene runs");
             let samples = run.samples().map(|s| [s.coordinates, s.velocities, s.accelerations, s.multipliers].concat());
             samples.flatten().map(f64::to_bits).collect::<Vec<_>>()
         };

@@ -4,6 +4,7 @@ use ezy_core::model::Start;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, Tangent};
 use ezy_models::ezy_roller::Driven;
+use ezy_tests::dynamic::{simulation, system_of};
 
 const METHOD: Method = Method::dop853(1e-12);
 
@@ -24,7 +25,7 @@ const REDUCED: [&str; 6] = ["seat.x", "seat.y", "seat.phi", "bar.phi", "seat.vx"
 
 /// The folded start of the scene, with the velocities given that the rows leave free.
 fn start(scene: &Driven) -> Start {
-    let mut start = System::new(scene, Backend::Auto).unwrap().scene_start();
+    let mut start = system_of(scene, Backend::Auto).unwrap().scene_start();
     start.give_velocity(0, 0.0);
     start.give_velocity(2, 0.0);
     start
@@ -49,7 +50,7 @@ fn changed(name: &str, change: f64, until_s: f64) -> Vec<f64> {
             scene.set_parameter(i, scene.parameter(i) + change);
         }
     }
-    let order = Simulation::new(&scene).method(METHOD).until(until_s);
+    let order = simulation(&scene).method(METHOD).until(until_s);
     let run = given.into_iter().fold(order, |order, (name, value)| order.start(name, value)).run().unwrap();
     let last = run.last();
     [last.coordinates, last.velocities].concat()
@@ -75,7 +76,7 @@ fn invariant_tangents_keep_to_the_rows() {
     let scene = Driven::default();
     let mut run = Sensitivities::new(&scene, &start(&scene), REDUCED, METHOD).unwrap();
     run.advance(10.0).unwrap();
-    let (system, state) = (System::new(&scene, Backend::Auto).unwrap(), run.state());
+    let (system, state) = (system_of(&scene, Backend::Auto).unwrap(), run.state());
     // position constraints do not move with time, so that C_q δq is what they say of δq as a velocity
     for tangent in run.tangents() {
         let mut rows = [0.0; 4];

@@ -4,16 +4,17 @@ use crate::scenes::{Case, driven, set};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
+use ezy_tests::dynamic::simulation;
 
 fn message(change: impl for<'s> Fn(Simulation<'s, &'s dyn Scene>) -> Simulation<'s, &'s dyn Scene>) -> String {
     let case = driven().remove(0);
-    change(Simulation::new(&*case.scene).method(Method::rk4(1e-3))).run().unwrap_err().to_string()
+    change(simulation(&*case.scene).method(Method::rk4(1e-3))).run().unwrap_err().to_string()
 }
 
 fn message_with(parameter: &str, value: f64) -> String {
     let mut case = driven().remove(0);
     set(&mut *case.scene, &[(parameter, value)]);
-    Simulation::new(&*case.scene).run().unwrap_err().to_string()
+    simulation(&*case.scene).run().unwrap_err().to_string()
 }
 
 #[test]
@@ -43,7 +44,7 @@ fn invariant_bad_ends_and_intervals_are_refused() {
 fn is_accepted(order: impl for<'s> FnOnce(Simulation<'s, &'s dyn Scene>) -> Simulation<'s, &'s dyn Scene>) -> bool {
     let case = driven().remove(0);
     let error =
-        order(Simulation::new(&*case.scene).method(Method::rk4(1e-3))).until(60.0).max_drift(-1.0).run().unwrap_err();
+        order(simulation(&*case.scene).method(Method::rk4(1e-3))).until(60.0).max_drift(-1.0).run().unwrap_err();
     matches!(error, SetupError::Limit { .. })
 }
 
@@ -73,7 +74,7 @@ fn invariant_bad_parameters_and_masses_are_named() {
 fn invariant_infinite_inertia_is_named() {
     let mut scene = ezy_tests::shapes::double_pendulum::Swing::default();
     set(&mut scene, &[("l", 1e200)]);
-    let error = Simulation::new(&scene).run().unwrap_err().to_string();
+    let error = simulation(&scene).run().unwrap_err().to_string();
     assert_eq!(error, "the inertia of body `upper` is inf; it must be finite and not negative");
 }
 
@@ -88,7 +89,7 @@ fn invariant_unknown_start_names_come_with_the_nearest() {
 fn invariant_overflow_stops_with_the_last_good_state() {
     for Case { route, mut scene } in driven() {
         set(&mut *scene, &[("m0", 1e200)]);
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).every(1e-3).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).every(1e-3).run().unwrap();
         let Outcome::Stopped { t, reason: StopReason::Motion(reason), .. } = &run.outcome else {
             panic!("{route}: {}", run.outcome)
         };
@@ -102,7 +103,7 @@ fn invariant_overflow_stops_with_the_last_good_state() {
 fn invariant_run_stops_before_its_kinetic_energy_overflows() {
     let mut scene = ezy_models::vehicles::single_track_car::single_track_car::Limit::default();
     set(&mut scene, &[("lr", 1.4e6)]);
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(1.0).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).until(1.0).run().unwrap();
     assert!(run.outcome.to_string().contains("is not finite after"), "{}", run.outcome);
     assert!(run.last().energy.kinetic.is_finite());
 }
@@ -111,7 +112,7 @@ fn invariant_run_stops_before_its_kinetic_energy_overflows() {
 fn invariant_progress_rises_to_one() {
     for Case { route, scene } in driven() {
         let mut told = Vec::new();
-        Simulation::new(&*scene).method(Method::rk4(1e-3)).until(1.0).on_progress(|p| told.push(p)).run().unwrap();
+        simulation(&*scene).method(Method::rk4(1e-3)).until(1.0).on_progress(|p| told.push(p)).run().unwrap();
         assert!(told.is_sorted() && told.last() == Some(&1.0) && told.len() == 100, "{route}: {told:?}");
     }
 }
@@ -124,8 +125,8 @@ fn invariant_order_of_a_run_can_be_handed_to_another_thread() {
     assert_send::<Run>();
     for Case { route, scene } in driven() {
         let mut told = 0;
-        let here = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(0.1).run().unwrap();
-        let order = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(0.1).on_progress(|_| told += 1);
+        let here = simulation(&*scene).method(Method::rk4(1e-3)).until(0.1).run().unwrap();
+        let order = simulation(&*scene).method(Method::rk4(1e-3)).until(0.1).on_progress(|_| told += 1);
         let there = std::thread::scope(|threads| threads.spawn(move || order.run()).join()).unwrap().unwrap();
         assert_eq!(here.last().coordinates, there.last().coordinates, "{route}");
         assert!(told > 0, "{route}");

@@ -4,6 +4,7 @@ use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_models::n_four_bar;
+use ezy_tests::dynamic::simulation;
 
 const METHODS: [fn() -> Method; 8] = [
     || Method::rk4(1e-3),
@@ -17,8 +18,8 @@ const METHODS: [fn() -> Method; 8] = [
 ];
 
 /// Crank 1 cannot point down while the others stand up. The nearest place stretches a crank and its coupler along a line of two fixed points.
-fn stretched(scene: &n_four_bar::Fall, phi: f64) -> Simulation<'_, &n_four_bar::Fall> {
-    Simulation::new(scene).method(Method::rk4(1e-3)).project_start().start("crank[1].phi", phi)
+fn stretched(scene: &dyn Scene, phi: f64) -> Simulation<'_, &dyn Scene> {
+    simulation(scene).method(Method::rk4(1e-3)).project_start().start("crank[1].phi", phi)
 }
 
 #[test]
@@ -62,7 +63,7 @@ fn analytic_parallel_cranks_leave_their_level_position() {
     for method in
         [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-9)]
     {
-        let order = Simulation::new(&scene).method(method).until(0.5).project_start();
+        let order = simulation(&scene).method(method).until(0.5).project_start();
         let order = order.start("crank[0].phi", 0.0).start("crank[1].phi", 0.0).start("coupler[0].omega", 0.0);
         let run = rates.iter().fold(order, |order, rate| order.start(*rate, -3.0)).run().unwrap();
         assert!(run.outcome.reached_end(), "{}", run.outcome);
@@ -78,7 +79,7 @@ fn analytic_parallel_cranks_leave_their_level_position() {
 #[test]
 fn analytic_cranks_of_two_rates_in_a_level_position_contradict_no_row() {
     let scene = n_four_bar::Fall { n: 1, ..Default::default() };
-    let order = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.5).project_start();
+    let order = simulation(&scene).method(Method::rk4(1e-3)).until(0.5).project_start();
     let order = order.start("crank[0].phi", 0.0).start("crank[1].phi", 0.0).start("crank[0].omega", -3.0);
     let refused = order.run().unwrap_err();
     assert!(matches!(refused, SetupError::Motion(MotionError::SingularPosition { .. })), "{refused}");

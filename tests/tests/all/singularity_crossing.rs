@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::{four_bar, n_four_bar};
+use ezy_tests::dynamic::simulation;
 use std::f64::consts::PI;
 
 model! {
@@ -71,7 +72,7 @@ const ROW: f64 = 1e-7;
 const MOST_STEPS: u64 = 100_000;
 
 fn crank(scene: &dyn Scene, method: Method) -> (Run, f64) {
-    let run = Simulation::new(scene).method(method).max_steps(MOST_STEPS).work().run().unwrap();
+    let run = simulation(scene).method(method).max_steps(MOST_STEPS).work().run().unwrap();
     assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
     let phi = run.last().coordinates[2];
     (run, phi)
@@ -98,7 +99,7 @@ fn cross_parallelogram_stays_one_through_its_flat_positions() {
 #[test]
 fn cross_long_steps_of_gauss_do_not_change_the_branch() {
     let scene = four_bar::Turning::default();
-    let turning = |method| Simulation::new(&scene).method(method).until(60.0).run().unwrap();
+    let turning = |method| simulation(&scene).method(method).until(60.0).run().unwrap();
     for tolerance in [1e-6, 1e-7, 1e-8, 1e-9] {
         let coupler = turning(Method::gauss(tolerance)).last().get("coupler.phi").unwrap();
         assert!(coupler.abs() <= FLOOR, "{coupler} at {tolerance:e}");
@@ -108,7 +109,7 @@ fn cross_long_steps_of_gauss_do_not_change_the_branch() {
 #[test]
 fn cross_crossings_of_level_positions_are_recorded_by_every_method() {
     let (rod, scene) = (equivalent::Turn::default(), four_bar::Turning::default());
-    let turning = Simulation::new(&rod).method(Method::dop853(1e-12)).until(5.0).every(1e-3).run().unwrap();
+    let turning = simulation(&rod).method(Method::dop853(1e-12)).until(5.0).every(1e-3).run().unwrap();
     // in half turns; between two samples the angle is linear to 1e-6 of them
     let turning: Vec<_> = turning.samples().map(|sample| (sample.t, sample.coordinates[2] / PI)).collect();
     let level = |pair: &[(f64, f64)]| {
@@ -121,7 +122,7 @@ fn cross_crossings_of_level_positions_are_recorded_by_every_method() {
     for method in
         [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-9)]
     {
-        let run = Simulation::new(&scene).method(method).until(5.0).run().unwrap();
+        let run = simulation(&scene).method(method).until(5.0).run().unwrap();
         let crossings = &run.rank.crossings;
         // a long step may begin and end far from a level position
         let least = if method.kind() == MethodKind::Rk4 { level.len() } else { 1 };
@@ -132,7 +133,7 @@ fn cross_crossings_of_level_positions_are_recorded_by_every_method() {
             let most = if method.kind() == MethodKind::Gauss { 2 } else { 1 };
             assert!((1..=most).contains(&n_level), "{method:?}: {crossing:?} of {level:?}");
         }
-        let run = Simulation::new(&rod).method(method).until(1.0).run().unwrap();
+        let run = simulation(&rod).method(method).until(1.0).run().unwrap();
         assert!(run.rank.crossings.is_empty(), "{method:?}: {}", run.rank);
     }
 }
@@ -141,7 +142,7 @@ fn cross_crossings_of_level_positions_are_recorded_by_every_method() {
 #[test]
 fn cross_crossings_beside_a_singular_position_are_told_from_those_through_it() {
     let beside = |scene: &four_bar::Turning| {
-        let run = Simulation::new(scene).method(Method::dop853(1e-6)).project_start().run().unwrap();
+        let run = simulation(scene).method(Method::dop853(1e-6)).project_start().run().unwrap();
         assert!(!run.rank.crossings.is_empty(), "{:?}", run.outcome);
         let text = run.rank.to_string();
         let told = [run.rank.crossings[0].is_beside(), text.contains("passed beside a singular position")];
@@ -157,7 +158,7 @@ fn cross_row_of_parallelograms_stays_one_through_its_flat_positions() {
     let (_, expected) = crank(&equivalent_to_two(), Method::dop853(1e-13));
     for method in [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10)] {
         let scene = n_four_bar::Fall { n: 2, ..Default::default() };
-        let run = Simulation::new(&scene).method(method).until(5.0).run().unwrap();
+        let run = simulation(&scene).method(method).until(5.0).run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
         let phi = run.last().coordinates[2];
         assert!((phi - expected).abs() <= ROW, "{method:?}: {:.1e}", phi - expected);
@@ -197,7 +198,7 @@ fn methods() -> Vec<(Method, f64)> {
 #[test]
 fn cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch() {
     for scene in change_points() {
-        let order = |method| Simulation::new(&scene).method(method).until(4.0);
+        let order = |method| simulation(&scene).method(method).until(4.0);
         let run = |method| order(method).max_steps(MOST_STEPS).run().unwrap();
         let expected = run(Method::dop853(1e-13)).last().coordinates.to_vec();
         for (method, tolerance) in methods() {
@@ -217,7 +218,7 @@ fn invariant_samples_on_the_way_over_a_level_position_keep_to_rows_and_energy() 
     for method in
         [Method::rk4(1e-3), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-8)]
     {
-        let run = Simulation::new(&scene).method(method).until(2.0).every(1e-3).run().unwrap();
+        let run = simulation(&scene).method(method).until(2.0).every(1e-3).run().unwrap();
         let energy = |sample: &Sample<'_>| sample.energy.kinetic + sample.energy.potential;
         let samples: Vec<_> = run.samples().collect();
         for sample in &samples {
@@ -234,7 +235,7 @@ fn invariant_smallest_pivot_is_seen_where_rods_lie_level() {
     for method in
         [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::gauss(1e-10), Method::radau(1e-8)]
     {
-        let pivot = Simulation::new(&scene).method(method).until(2.0).run().unwrap().monitors.pivot.unwrap();
+        let pivot = simulation(&scene).method(method).until(2.0).run().unwrap().monitors.pivot.unwrap();
         assert!(pivot.value < NEAR_LEVEL && pivot.value >= 0.0 && pivot.t > 0.0, "{method:?}: {pivot:?}");
     }
 }
@@ -242,7 +243,7 @@ fn invariant_smallest_pivot_is_seen_where_rods_lie_level() {
 #[test]
 fn analytic_motor_against_a_stretched_rod_ends_the_run_with_the_rows() {
     for method in [Method::rk4(1e-3), Method::dop853(1e-8), Method::taylor(1e-8)] {
-        let run = Simulation::new(&short_rod::Turn::default()).method(method).run().unwrap();
+        let run = simulation(&short_rod::Turn::default()).method(method).run().unwrap();
         let outcome = run.outcome.to_string();
         // the rod is upright when sin φ = 1/2
         let end = std::f64::consts::FRAC_PI_6 - 0.2;

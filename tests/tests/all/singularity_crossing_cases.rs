@@ -1,6 +1,7 @@
 //! Reference cases with singular positions by the methods that choose their steps; the page of hard cases has RK4.
 
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{list, number, rows};
 use ezy_tests::hard::subject::{Subject, subject};
 
@@ -22,7 +23,7 @@ fn methods() -> Vec<Method> {
 }
 
 fn run(subject: &Subject, method: Method, until_s: f64) -> Run {
-    let start = Simulation::new(&*subject.scene).method(method).until(until_s).max_steps(MOST_STEPS);
+    let start = simulation(&*subject.scene).method(method).until(until_s).max_steps(MOST_STEPS);
     let order = subject.given().into_iter().fold(start, |order, (name, value)| order.start(&name, value));
     let run = order.run().unwrap();
     assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);

@@ -1,9 +1,10 @@
 //! A body in space, of which positions are more than velocities: against a closed form, with both explicit methods and projection.
 
-use ezy_core::dynamics::{Projection, System};
+use ezy_core::dynamics::Projection;
 use ezy_core::linalg::Backend;
 use ezy_core::prelude::*;
 use ezy_core::testing::check_scene;
+use ezy_tests::dynamic::{simulation, system_of};
 use ezy_tests::top::{MASS, Top, attitude};
 use serde_json::Value;
 
@@ -48,7 +49,7 @@ fn pinned(reference: &Reference) -> Top {
 fn error(top: &Top, reference: &Reference, method: Method) -> f64 {
     let times: Vec<f64> = reference.samples.iter().map(|sample| sample.0).collect();
     let end = times[times.len() - 1];
-    let run = Simulation::new(top).method(method).until(end).at(times).run().unwrap();
+    let run = simulation(top).method(method).until(end).at(times).run().unwrap();
     assert_eq!(run.samples().len(), reference.samples.len());
     let mut largest = 0.0_f64;
     for (sample, (t, omega, attitude_there)) in run.samples().zip(&reference.samples) {
@@ -115,7 +116,7 @@ fn analytic_steady_precession_of_a_heavy_top() {
         start: ([half_c, 0.0, half_s, 0.0], omega),
     };
     let tolerance = 1e-11;
-    let run = Simulation::new(&top).method(Method::dop853(tolerance)).until(10.0).every(0.5).run().unwrap();
+    let run = simulation(&top).method(Method::dop853(tolerance)).until(10.0).every(0.5).run().unwrap();
     for sample in run.samples() {
         let axis = attitude(&sample.coordinates[3..]).map(|row| row[2]);
         let (s, c) = (round * sample.t).sin_cos();
@@ -140,7 +141,7 @@ fn analytic_steady_precession_of_a_heavy_top() {
 fn invariant_quaternion_keeps_its_length_with_projection() {
     let top = Top { gravity: 9.81, ..pinned(&reference("about_the_long_axis")) };
     let lengths = |projection: Projection| {
-        let run = Simulation::new(&top).method(Method::rk4(0.01)).project(projection).until(200.0).every(5.0).run();
+        let run = simulation(&top).method(Method::rk4(0.01)).project(projection).until(200.0).every(5.0).run();
         let run = run.unwrap();
         let of = |p: &[f64]| p.iter().map(|p| p * p).sum::<f64>().sqrt() - 1.0;
         let lengths = run.samples().map(|sample| of(&sample.coordinates[3..]).abs()).fold(0.0, f64::max);
@@ -163,7 +164,7 @@ fn invariant_generic_checks_hold_in_space() {
         assert!(top.pin.is_none() || compared > 0, "{report}");
     }
     let top = pinned(&reference);
-    let system = System::new(&top, Backend::Auto).unwrap();
+    let system = system_of(&top, Backend::Auto).unwrap();
     let (q, v) = ([0.1, -0.2, 0.3, 0.5, -0.5, 0.5, 0.5], [1.0, 2.0, 3.0, 0.3, -0.7, 1.1]);
     let mut rates = [0.0; 7];
     system.position_rates(&q, &v, &mut rates);
@@ -185,24 +186,24 @@ fn failure_what_space_does_not_have_is_named() {
     let reference = reference("about_the_long_axis");
     let top = free(&reference);
     for method in [Method::radau(1e-9), Method::gauss(1e-9), Method::taylor(1e-9)] {
-        let refused = Simulation::new(&top).method(method).run().unwrap_err().to_string();
+        let refused = simulation(&top).method(method).run().unwrap_err().to_string();
         assert!(refused.contains("bodies in space") && refused.contains(method.name()), "{refused}");
     }
     let angle = Method::dop853(1e-9).angle_tolerance(1e-9);
-    assert!(Simulation::new(&top).method(angle).run().unwrap_err().to_string().contains("quaternions"));
+    assert!(simulation(&top).method(angle).run().unwrap_err().to_string().contains("quaternions"));
     let zero = Top { start: ([0.0; 4], [1.0, 0.0, 0.0]), ..top };
-    let refused = Simulation::new(&zero).run().unwrap_err().to_string();
+    let refused = simulation(&zero).run().unwrap_err().to_string();
     assert!(refused.contains("the quaternion of body `top` is zero"), "{refused}");
     // one of another length is brought to unit length
     let long = Top { start: ([2.0, 0.0, 0.0, 0.0], reference.omega), ..top };
-    let run = Simulation::new(&long).until(0.0).run().unwrap();
+    let run = simulation(&long).until(0.0).run().unwrap();
     assert_eq!(run.first().coordinates[3..], UPRIGHT);
 }
 
 #[test]
 fn invariant_checkpoint_in_space_goes_on_to_the_last_bit() {
     let top = Top { gravity: 9.81, ..pinned(&reference("about_the_long_axis")) };
-    let new = || Simulation::new(&top).method(Method::rk4(0.01)).stepper().unwrap();
+    let new = || simulation(&top).method(Method::rk4(0.01)).stepper().unwrap();
     let mut first = new();
     first.step(7).unwrap();
     let checkpoint = first.save();
@@ -216,7 +217,7 @@ fn invariant_checkpoint_in_space_goes_on_to_the_last_bit() {
 #[test]
 fn invariant_columns_and_tables_have_all_positions_and_velocities() {
     let top = pinned(&reference("about_the_long_axis"));
-    let run = Simulation::new(&top).until(0.1).every(0.05).run().unwrap();
+    let run = simulation(&top).until(0.1).every(0.05).run().unwrap();
     let last = run.last();
     assert_eq!((last.coordinates.len(), last.velocities.len(), last.accelerations.len()), (7, 6, 6));
     assert_eq!(last.get("top.k").unwrap(), last.coordinates[6]);

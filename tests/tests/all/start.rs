@@ -6,6 +6,7 @@ use ezy_core::model::Start;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_models::mechanisms::{chain::chain, slider_crank::slider_crank};
+use ezy_tests::dynamic::{simulation, system_of};
 use ezy_tests::shapes::{circling, four_bar, tethered};
 
 /// What the assembly promises.
@@ -17,7 +18,7 @@ const ORTHOGONAL: f64 = 1e-12;
 fn invariant_start_holds_given_values_to_the_bit() {
     for Case { route, scene } in coast() {
         let given = [("seat.x", 0.123456789), ("seat.phi", 0.77), ("bar.phi", -2.1), ("seat.omega", 0.3)];
-        let mut order = Simulation::new(&*scene).until(0.0);
+        let mut order = simulation(&*scene).until(0.0);
         for (name, value) in given {
             order = order.start(name, value);
         }
@@ -35,7 +36,7 @@ fn invariant_start_holds_given_values_to_the_bit() {
 #[test]
 fn invariant_consistent_start_is_not_touched() {
     for Case { route, scene } in all() {
-        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut system = system_of(&*scene, Backend::Auto).unwrap();
         let state = system.consistent_start(&system.scene_start()).unwrap();
         let mut free = Start::free(state.q.len());
         free.q.copy_from_slice(&state.q);
@@ -48,7 +49,7 @@ fn invariant_consistent_start_is_not_touched() {
 #[test]
 fn invariant_start_assembles_angles_from_a_far_guess() {
     for Case { route, scene } in driven() {
-        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut system = system_of(&*scene, Backend::Auto).unwrap();
         let mut start = Start::free(6);
         for (i, value) in [(0, 0.0), (1, 0.0), (3, -0.3), (4, 0.55)] {
             start.give_position(i, value);
@@ -64,7 +65,7 @@ fn invariant_start_assembles_angles_from_a_far_guess() {
 #[test]
 fn analytic_assembled_velocities_have_least_energy() {
     for Case { route, scene } in driven() {
-        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut system = system_of(&*scene, Backend::Auto).unwrap();
         let mut start = system.scene_start();
         start.give_velocity(5, 1.0);
         let least = system.consistent_start(&start).unwrap();
@@ -80,7 +81,7 @@ fn analytic_assembled_velocities_have_least_energy() {
 fn invariant_start_assembles_massless_bodies() {
     for Case { route, mut scene } in coast() {
         crate::scenes::set(&mut *scene, &[("m2", 0.0), ("i2", 0.0)]);
-        let run = Simulation::new(&*scene).until(0.0).run().unwrap();
+        let run = simulation(&*scene).until(0.0).run().unwrap();
         let error = (run.first().velocities[5] - 5.0).abs();
         assert!(error <= RESIDUAL, "{route}: {error:.1e}");
     }
@@ -90,7 +91,7 @@ fn invariant_start_assembles_massless_bodies() {
 fn invariant_contradicting_positions_are_named() {
     for Case { route, scene } in coast() {
         // the hinge is at 0.8 m, the bar's centre cannot be a metre away
-        let error = Simulation::new(&*scene).start("bar.x", 1.8).run().unwrap_err();
+        let error = simulation(&*scene).start("bar.x", 1.8).run().unwrap_err();
         let SetupError::Start(StartError::Contradiction { level, rows, residual, held, .. }) = error else {
             panic!("{route}: {error}")
         };
@@ -105,7 +106,7 @@ fn invariant_contradicting_positions_are_named() {
 fn invariant_contradicting_velocities_are_named() {
     for Case { route, scene } in coast() {
         // the rear wheel cannot slide sideways
-        let error = Simulation::new(&*scene).start("seat.vy", 0.5).run().unwrap_err();
+        let error = simulation(&*scene).start("seat.vy", 0.5).run().unwrap_err();
         let SetupError::Start(StartError::Contradiction { level, rows, .. }) = error else {
             panic!("{route}: {error}")
         };
@@ -116,7 +117,7 @@ fn invariant_contradicting_velocities_are_named() {
 #[test]
 fn invariant_start_value_that_is_not_finite_is_named() {
     for Case { route, scene } in coast() {
-        let error = Simulation::new(&*scene).start("bar.vx", f64::NAN).run().unwrap_err().to_string();
+        let error = simulation(&*scene).start("bar.vx", f64::NAN).run().unwrap_err().to_string();
         assert!(error.contains("`bar.vx` is NaN"), "{route}: {error}");
     }
 }
@@ -125,7 +126,7 @@ fn invariant_start_value_that_is_not_finite_is_named() {
 #[test]
 fn invariant_start_value_beyond_a_billion_is_refused_by_name() {
     let start =
-        |x: f64| Simulation::new(&ezy_models::knife_edge::Cycloid::default()).until(0.0).start("blade.omega", x).run();
+        |x: f64| simulation(&ezy_models::knife_edge::Cycloid::default()).until(0.0).start("blade.omega", x).run();
     assert!(start(5e8).is_ok());
     let error = start(5e9).unwrap_err();
     assert!(matches!(&error, SetupError::Start(StartError::TooLarge { name, .. }) if name == "blade.omega"), "{error}");
@@ -134,7 +135,7 @@ fn invariant_start_value_beyond_a_billion_is_refused_by_name() {
 /// Assembles all coordinates from zero, except for those given by index.
 fn from_zero(mut scene: impl Scene, parameters: &[(&str, f64)], given: &[(usize, f64)]) -> State {
     crate::scenes::set(&mut scene, parameters);
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let mut start = Start::free(scene.info().n_coordinates());
     given.iter().for_each(|(i, value)| start.give_position(*i, *value));
     let state = system.consistent_start(&start).unwrap_or_else(|error| panic!("{error}"));
@@ -168,7 +169,7 @@ fn invariant_start_far_from_the_guess_counts_rounding_there() {
     let mut scene = chain::Swing::default();
     scene.set_count(0, 100);
     crate::scenes::set(&mut scene, &[("l", 3333.1)]);
-    let run = Simulation::new(&scene).until(0.0).run().unwrap();
+    let run = simulation(&scene).until(0.0).run().unwrap();
     let error = run.last().coordinates[3 * 99] - 99.5 * 3333.1;
     assert!(error.abs() <= FAR, "{error:.1e}");
 }
@@ -177,18 +178,18 @@ fn invariant_start_far_from_the_guess_counts_rounding_there() {
 fn invariant_row_without_a_value_is_named() {
     let mut scene = tethered::Circle::default();
     crate::scenes::set(&mut scene, &[("l", 0.0)]);
-    let error = Simulation::new(&scene).start("bob.x", 0.0).start("bob.y", 0.0).run().unwrap_err().to_string();
+    let error = simulation(&scene).start("bob.x", 0.0).start("bob.y", 0.0).run().unwrap_err().to_string();
     assert!(
         error.starts_with("constraint `R` is not a number at the start: a length or a direction in it is zero"),
         "{error}"
     );
-    let error = Simulation::new(&scene).run().unwrap_err().to_string();
+    let error = simulation(&scene).run().unwrap_err().to_string();
     assert!(error.starts_with("constraint `R` is not a number at the start"), "{error}");
 }
 
 #[test]
 fn invariant_near_values_that_fit_are_kept_to_the_last_bit() {
-    let run = Simulation::new(&ezy_models::slider_crank::Pushed::default()).until(0.0).run().unwrap();
+    let run = simulation(&ezy_models::slider_crank::Pushed::default()).until(0.0).run().unwrap();
     assert_eq!(run.last().get("rod.phi").unwrap(), -std::f64::consts::PI / 6.0);
 }
 
@@ -196,7 +197,7 @@ fn invariant_near_values_that_fit_are_kept_to_the_last_bit() {
 fn analytic_near_values_choose_the_assembly_and_give_way() {
     // a crank upright of 1 m, a coupler of 1 m to the right, and the base longer than it was
     let scene = ezy_models::four_bar::Turning { base: 1.2, ..Default::default() };
-    let run = Simulation::new(&scene).until(0.0).run().unwrap();
+    let run = simulation(&scene).until(0.0).run().unwrap();
     let get = |name: &str| run.last().get(name).unwrap();
     assert_eq!(get("crank.phi"), std::f64::consts::FRAC_PI_2);
     // the open loop: coupler and rocker meet at the same height above the base, on the right of the crank
@@ -207,7 +208,7 @@ fn analytic_near_values_choose_the_assembly_and_give_way() {
 #[test]
 fn analytic_near_values_give_way_to_what_is_given() {
     let scene = ezy_models::pendulum::Swing::default();
-    let run = Simulation::new(&scene).start("bob.x", 0.5).until(0.0).run().unwrap();
+    let run = simulation(&scene).start("bob.x", 0.5).until(0.0).run().unwrap();
     let angle = run.last().get("bob.phi").unwrap();
     assert!((angle.cos() - 0.5).abs() <= 1e-12, "{angle} rad");
 }

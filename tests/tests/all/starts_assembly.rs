@@ -6,6 +6,7 @@ use ezy_models::mechanisms::pendulum::pendulum;
 use ezy_models::mechanisms::{
     andrews::andrews, four_bar::four_bar, n_four_bar::n_four_bar, slider_crank::slider_crank,
 };
+use ezy_tests::dynamic::system_of;
 use std::f64::consts::PI;
 
 /// What an assembly of bodies of size one leaves of a hinge, m.
@@ -13,16 +14,16 @@ const GAP: f64 = 1e-13;
 /// Moves of 1e-3 m and rad change nothing by more, also where they are a seventh of a crank.
 const CHANGE: f64 = 5e-3;
 
-fn assembled(scene: &(impl Scene + ?Sized)) -> Vec<f64> {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+fn assembled(scene: &dyn Scene) -> Vec<f64> {
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     system.consistent_start(&system.scene_start()).unwrap().q
 }
 
 /// Assembles from `q`, which gives way; returns the positions and their gap.
-fn reassembled(scene: &(impl Scene + ?Sized), q: &[f64]) -> (Vec<f64>, f64) {
+fn reassembled(scene: &dyn Scene, q: &[f64]) -> (Vec<f64>, f64) {
     let mut start = Start::free(q.len());
     q.iter().enumerate().for_each(|(i, x)| start.near_position(i, *x));
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     let state = system.consistent_start(&start).unwrap();
     let gap = system.position_residual(0.0, &state.q);
     (state.q, gap)

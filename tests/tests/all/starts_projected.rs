@@ -5,6 +5,7 @@ use ezy_core::dynamics::StartError;
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
 use ezy_models::mechanisms::{four_bar::four_bar, n_four_bar::n_four_bar};
+use ezy_tests::dynamic::{simulation, system_of};
 
 ezy_core::model! {
     /// Three equal cranks under one coupler: a row too many, at every position.
@@ -35,12 +36,12 @@ const ROUNDING: f64 = 1e-12;
 /// The state from `start`, of which everything gives way.
 fn projected(scene: &impl Scene, mut start: Start) -> State {
     start.give_way();
-    System::new(scene, Backend::Auto).unwrap().consistent_start(&start).unwrap()
+    system_of(scene, Backend::Auto).unwrap().consistent_start(&start).unwrap()
 }
 
 /// A consistent start with all positions given, and all velocities as in `v`.
 fn with_velocities(scene: &impl Scene, v: &[f64]) -> Start {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     let consistent = system.consistent_start(&system.scene_start()).unwrap();
     let mut start = Start::free(v.len());
     for (i, (q, v)) in consistent.q.iter().zip(v).enumerate() {
@@ -70,7 +71,7 @@ fn reference_contradicting_velocities_are_projected_in_the_mass_metric() {
 fn invariant_contradicting_velocities_are_refused_with_the_hinge_and_the_remedy() {
     let scene = n_four_bar::Fall::default();
     let start = with_velocities(&scene, &INCONSISTENT);
-    let error = System::new(&scene, Backend::Auto).unwrap().consistent_start(&start).unwrap_err().to_string();
+    let error = system_of(&scene, Backend::Auto).unwrap().consistent_start(&start).unwrap_err().to_string();
     assert!(error.starts_with("the start contradicts the constraints: velocity of "), "{error}");
     assert!(error.contains("foot[1].x") && error.contains("`--project-start`"), "{error}");
 }
@@ -85,7 +86,7 @@ fn analytic_projection_with_a_row_too_many() {
     let (s, c) = std::f64::consts::FRAC_PI_3.sin_cos();
     let (crank, coupler) = ([-0.5 * s, 0.5 * c, 1.0], [-s, c, 0.0]);
     let motion = [crank, crank, crank, coupler].concat();
-    let mass = System::new(&scene, Backend::Auto).unwrap().mass_matrix().to_vec();
+    let mass = system_of(&scene, Backend::Auto).unwrap().mass_matrix().to_vec();
     let product = |x: &[f64]| (0..12).map(|i| mass[i] * motion[i] * x[i]).sum::<f64>();
     let rate = product(&v) / product(&motion);
     let expected: Vec<f64> = motion.iter().map(|u| rate * u).collect();
@@ -100,10 +101,10 @@ fn analytic_massless_coordinates_follow_at_no_cost() {
     let mut turning = with_velocities(&scene, &[0.0; 9]);
     turning.v_given.fill(false);
     turning.give_velocity(2, 1.0);
-    let motion = System::new(&scene, Backend::Auto).unwrap().consistent_start(&turning).unwrap().v;
+    let motion = system_of(&scene, Backend::Auto).unwrap().consistent_start(&turning).unwrap().v;
     let v = [0.3, -0.2, 1.0, 40.0, -70.0, 90.0, -0.5, 0.8, 0.6];
     let state = projected(&scene, with_velocities(&scene, &v));
-    let mass = System::new(&scene, Backend::Auto).unwrap().mass_matrix().to_vec();
+    let mass = system_of(&scene, Backend::Auto).unwrap().mass_matrix().to_vec();
     let product = |x: &[f64]| (0..9).map(|i| mass[i] * motion[i] * x[i]).sum::<f64>();
     let rate = product(&v) / product(&motion);
     let expected: Vec<f64> = motion.iter().map(|u| rate * u).collect();
@@ -114,7 +115,7 @@ fn analytic_massless_coordinates_follow_at_no_cost() {
 #[test]
 fn invariant_order_that_projects_its_start_runs() {
     let scene = four_bar::Turning::default();
-    let order = || Simulation::new(&scene).until(0.0).start("crank.omega", -1.0).start("rocker.omega", -0.5);
+    let order = || simulation(&scene).until(0.0).start("crank.omega", -1.0).start("rocker.omega", -0.5);
     assert!(order().run().is_err());
     let run = order().project_start().run().unwrap();
     let rate = |name: &str| run.first().get(name).unwrap();
@@ -125,14 +126,14 @@ fn invariant_order_that_projects_its_start_runs() {
 #[test]
 fn invariant_given_values_that_fit_are_held_by_a_projected_start() {
     let scene = four_bar::Turning::default();
-    let run = Simulation::new(&scene).until(0.0).start("crank.omega", -0.7).project_start().run().unwrap();
+    let run = simulation(&scene).until(0.0).start("crank.omega", -0.7).project_start().run().unwrap();
     assert_eq!(run.first().get("crank.omega"), Ok(-0.7));
 }
 
 #[test]
 fn invariant_lengths_that_do_not_reach_are_an_error_with_rows_and_gap() {
     let scene = four_bar::Turning { base: 4.0, ..Default::default() };
-    let error = Simulation::new(&scene).until(0.0).project_start().run().unwrap_err();
+    let error = simulation(&scene).until(0.0).project_start().run().unwrap_err();
     let ezy_core::simulate::SetupError::Start(StartError::Contradiction { level, rows, residual, held, .. }) = &error
     else {
         panic!("{error}")

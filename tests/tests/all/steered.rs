@@ -4,6 +4,7 @@ use crate::scenes::{assert_checks, distance};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason, read_inputs};
+use ezy_tests::dynamic::{simulation, system_of};
 
 model! {
     /// A pendulum on an arm that a motor turns: as a controller says, or as a function of time does.
@@ -81,7 +82,7 @@ fn fd_steered_scenes_pass_their_checks() {
 #[test]
 fn cross_steady_acceleration_is_a_parabola_of_time_by_every_method() {
     let end = |scene: &dyn Scene, method| {
-        let simulation = Simulation::new(scene).work().method(method);
+        let simulation = simulation(scene).work().method(method);
         let simulation = match scene.info().name {
             "steered" => simulation.input("angle_rate", 0.3).input("angle_acceleration", 0.4),
             _ => simulation,
@@ -103,7 +104,7 @@ fn cross_steady_acceleration_is_a_parabola_of_time_by_every_method() {
 fn order_steered_motion_approaches_a_function_of_time() {
     let (by_law, by_time) = (crane::Steered::default(), crane::Waved::default());
     let w = by_time.w;
-    let reference = Simulation::new(&by_time).method(Method::dop853(1e-12)).run().unwrap();
+    let reference = simulation(&by_time).method(Method::dop853(1e-12)).run().unwrap();
     let rate = move |t: f64| 0.5 * w * (w * t).cos();
     let errors = [0.02, 0.01, 0.005].map(|h| {
         let run = Simulation::new(&by_law).method(Method::rk4(h)).work().input("angle_rate", rate(0.0));
@@ -232,8 +233,8 @@ fn cross_file_of_a_steered_run_repeats_it() {
 fn cross_rope_in_millimetres_of_an_array_is_that_of_single_bodies() {
     let (array, single) = (lift::Lifted::default(), winch::Lifted::default());
     let method = Method::dop853(1e-12);
-    let array = Simulation::new(&array).method(method).input("length_rate", 20.0).input("length_acceleration", -200.0);
-    let (array, single) = (array.run().unwrap(), Simulation::new(&single).method(method).run().unwrap());
+    let array = simulation(&array).method(method).input("length_rate", 20.0).input("length_acceleration", -200.0);
+    let (array, single) = (array.run().unwrap(), simulation(&single).method(method).run().unwrap());
     let error = distance(array.last().coordinates, single.last().coordinates);
     assert!(error <= METHOD, "{error:.1e}");
 }
@@ -241,10 +242,10 @@ fn cross_rope_in_millimetres_of_an_array_is_that_of_single_bodies() {
 #[test]
 fn invariant_ensembles_and_sensitivities_hold_the_declared_value() {
     let scene = crane::Steered::default();
-    let start = System::new(&scene, Backend::Auto).unwrap().scene_start();
+    let start = system_of(&scene, Backend::Auto).unwrap().scene_start();
     let mut run = Sensitivities::new(&scene, &start, ["bob.phi"], Method::dop853(1e-12)).unwrap();
     run.advance(1.0).unwrap();
-    let expected = Simulation::new(&scene).until(1.0).method(Method::dop853(1e-12)).run().unwrap();
+    let expected = simulation(&scene).until(1.0).method(Method::dop853(1e-12)).run().unwrap();
     let error = distance(&run.state().q, expected.last().coordinates);
     assert!(error <= METHOD && (run.state().q[2] - 0.2).abs() <= METHOD, "{error:.1e}");
 }

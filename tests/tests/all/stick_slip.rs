@@ -4,6 +4,7 @@ use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
 use ezy_models::ezy_roller;
+use ezy_tests::dynamic::simulation;
 
 /// Changes are located to 1e-12 s; the value that is located carries rounding of 1e-15 m/s or N at slopes around one, and where
 /// a slide ends its start counts, too.
@@ -135,7 +136,7 @@ fn analytic_sled_lets_go_and_holds_again_by_every_method() {
     // 4 t - t² - 3 = (t - 1) (3 - t): with u = t - 1, 2 v = u² - u³/3 comes back to zero at u = 3
     for method in METHODS {
         let scene = sled::Waved::default();
-        let run = Simulation::new(&scene).method(method).every(0.1).run().unwrap();
+        let run = simulation(&scene).method(method).every(0.1).run().unwrap();
         assert_changes(&run, &[("runner slides", 1.0), ("runner stops", 4.0)]);
         let end = run.last();
         // 2 y = u³/3 - u⁴/12
@@ -147,7 +148,7 @@ fn analytic_sled_lets_go_and_holds_again_by_every_method() {
 #[test]
 fn analytic_reaction_of_a_sled_is_its_limit_while_it_slides() {
     let scene = sled::Waved::default();
-    let run = Simulation::new(&scene).method(Method::dop853(1e-12)).every(0.25).run().unwrap();
+    let run = simulation(&scene).method(Method::dop853(1e-12)).every(0.25).run().unwrap();
     // at a change both hold
     let is_change = |t: f64| (t - 1.0).abs() <= LOCATED_S || (t - 4.0).abs() <= LOCATED_S;
     for sample in run.samples().filter(|sample| !is_change(sample.t)) {
@@ -163,7 +164,7 @@ fn analytic_sled_slides_on_to_the_other_side_where_it_cannot_hold() {
     // limit 2: it comes to rest at 2 + √8 s, where it is pushed by -4 N
     for method in METHODS {
         let scene = sled::Waved { limit: 2.0, ..sled::Waved::default() };
-        let run = Simulation::new(&scene).method(method).until(5.0).run().unwrap();
+        let run = simulation(&scene).method(method).until(5.0).run().unwrap();
         let (begins, turns) = (2.0 - 2f64.sqrt(), 2.0 + 8f64.sqrt());
         assert_changes(&run, &[("runner slides", begins), ("runner stops", turns), ("runner slides", turns)]);
         assert!(run.last().get("sled.vy").unwrap() < 0.0, "{}", method.name());
@@ -181,7 +182,7 @@ fn analytic_slide_shorter_than_a_quarter_of_a_step_is_followed() {
     let scene = sled::Waved { limit: 4.0 - d * d, ..sled::Waved::default() };
     let located = LOCATED_S / d + FOLLOWED / (3.0 * d * d / scene.mass);
     for method in [Method::rk4(0.1), METHODS[1], METHODS[2], METHODS[3]] {
-        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let run = simulation(&scene).method(method).run().unwrap();
         let found = named(&run);
         let [("runner slides", begins), ("runner stops", ends)] = found[..] else { panic!("{found:?}") };
         let off = (begins - (2.0 - d)).abs().max((ends - (2.0 + 2.0 * d)).abs());
@@ -213,7 +214,7 @@ fn analytic_input_that_jumps_over_the_limit_lets_the_sled_go_at_once() {
 fn invariant_energy_of_a_sliding_sled_is_work_of_its_friction() {
     for method in FINE {
         let scene = sled::Waved::default();
-        let run = Simulation::new(&scene).method(method).work().every(0.3).run().unwrap();
+        let run = simulation(&scene).method(method).work().every(0.3).run().unwrap();
         for sample in run.samples() {
             assert!(sample.energy.balance.abs() <= BALANCE_J, "{} at {}", sample.energy.balance, sample.t);
         }
@@ -229,7 +230,7 @@ fn analytic_sled_leaves_a_curve_where_the_speed_is_too_high() {
     let scene = curve::Ride::default();
     let lets_go = 2.0 - (4.0 - scene.mu * scene.g / scene.u / 0.15).sqrt();
     for method in FINE {
-        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let run = simulation(&scene).method(method).run().unwrap();
         let found = named(&run);
         assert_eq!(found.iter().map(|(name, _)| *name).collect::<Vec<_>>(), ["runner slides", "runner stops"]);
         assert!((found[0].1 - lets_go).abs() <= LOCATED_S, "{} for {lets_go}", found[0].1);
@@ -240,14 +241,14 @@ fn analytic_sled_leaves_a_curve_where_the_speed_is_too_high() {
 fn cross_methods_agree_where_a_sled_holds_again_in_a_curve() {
     let scene = curve::Ride::default();
     let runs = [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)];
-    let ends = runs.map(|method| named(&Simulation::new(&scene).method(method).run().unwrap())[1].1);
+    let ends = runs.map(|method| named(&simulation(&scene).method(method).run().unwrap())[1].1);
     assert!(ends.iter().all(|end| (end - ends[0]).abs() <= 1e-9), "{ends:?}");
 }
 
 #[test]
 fn invariant_sled_that_keeps_to_its_limit_never_slides() {
     let scene = curve::Ride { mu: 10.0, ..curve::Ride::default() };
-    let run = Simulation::new(&scene).method(Method::dop853(1e-10)).run().unwrap();
+    let run = simulation(&scene).method(Method::dop853(1e-10)).run().unwrap();
     assert!(run.events().is_empty());
     // the rows hold the whole way
     assert!(run.monitors.velocity_residual.unwrap().value <= FOLLOWED);
@@ -256,7 +257,7 @@ fn invariant_sled_that_keeps_to_its_limit_never_slides() {
 #[test]
 fn invariant_steppers_refuse_a_skate_that_may_slide() {
     let scene = sled::Waved::default();
-    let error = Simulation::new(&scene).stepper().map(|_| ()).unwrap_err();
+    let error = simulation(&scene).stepper().map(|_| ()).unwrap_err();
     assert!(matches!(error, SetupError::Modes { what: "skate", name: "runner", .. }), "{error}");
 }
 
@@ -264,7 +265,7 @@ fn invariant_steppers_refuse_a_skate_that_may_slide() {
 fn analytic_limit_with_a_discontinuity_is_followed_in_every_mode() {
     // it lets go where 3 - t is 2; then 2 v = (t - 1)²/2 up to 2 s, and 1/2 + (t - 2) from there on
     for method in [Method::dop853(1e-12), Method::rk4(0.05)] {
-        let run = Simulation::new(&fading::Pushed::default()).method(method).run().unwrap();
+        let run = simulation(&fading::Pushed::default()).method(method).run().unwrap();
         assert_changes(&run, &[("runner slides", 1.0), ("fast", 2.0)]);
         assert!((run.last().get("sled.vy").unwrap() - 0.75).abs() <= FOLLOWED, "{}", method.name());
     }
@@ -274,7 +275,7 @@ fn analytic_limit_with_a_discontinuity_is_followed_in_every_mode() {
 fn invariant_energy_of_a_roller_that_drifts_is_work() {
     let scene = ezy_roller::Skid { m0: 4.0, ..ezy_roller::Skid::default() };
     for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)] {
-        let run = Simulation::new(&scene).method(method).work().until(10.0).every(0.1).run().unwrap();
+        let run = simulation(&scene).method(method).work().until(10.0).every(0.1).run().unwrap();
         assert!(run.outcome.reached_end(), "{}", run.outcome);
         assert!(run.events().len() >= 2, "{:?}", named(&run));
         for sample in run.samples() {
@@ -297,7 +298,7 @@ fn fault(run: &Run) -> (&'static str, f64, f64) {
 #[test]
 fn analytic_limit_that_is_used_up_ends_the_run_where_it_is() {
     for method in METHODS {
-        let run = Simulation::new(&worn::Pushed::default()).method(method).every(0.25).run().unwrap();
+        let run = simulation(&worn::Pushed::default()).method(method).every(0.25).run().unwrap();
         let (skate, t, value) = fault(&run);
         assert!(skate == "runner" && t >= 3.0 - LOCATED_S && value <= 0.0, "{value} N at {t} by {}", method.name());
         assert_changes(&run, &[("runner slides", 1.0)]);
@@ -312,7 +313,7 @@ fn analytic_limit_that_is_used_up_ends_the_run_where_it_is() {
 #[test]
 fn analytic_limit_that_is_used_up_behind_an_end_does_not_matter() {
     for method in METHODS {
-        let run = Simulation::new(&worn::Caught::default()).method(method).run().unwrap();
+        let run = simulation(&worn::Caught::default()).method(method).run().unwrap();
         assert!(run.outcome.reached_end(), "{} by {}", run.outcome, method.name());
         // 4 v = (t - 1)²
         assert!((run.last().t - 1.0 - 2f64.sqrt()).abs() <= LOCATED_S, "{} by {}", run.last().t, method.name());
@@ -322,7 +323,7 @@ fn analytic_limit_that_is_used_up_behind_an_end_does_not_matter() {
 #[test]
 fn analytic_limit_that_is_no_number_ends_the_run_while_the_skate_holds() {
     for method in METHODS {
-        let run = Simulation::new(&undefined::Pushed::default()).method(method).run().unwrap();
+        let run = simulation(&undefined::Pushed::default()).method(method).run().unwrap();
         let (skate, t, value) = fault(&run);
         assert!(skate == "runner" && t >= 2.0 && value.is_nan(), "{value} N at {t} by {}", method.name());
         assert!((run.last().t - 2.0).abs() <= LOCATED_S, "{} by {}", run.last().t, method.name());
@@ -332,7 +333,7 @@ fn analytic_limit_that_is_no_number_ends_the_run_while_the_skate_holds() {
 #[test]
 fn invariant_limit_that_is_not_above_zero_at_the_start_is_refused() {
     for fresh in [0.0, -1.0] {
-        let error = Simulation::new(&worn::Pushed { fresh, ..worn::Pushed::default() }).run().unwrap_err();
+        let error = simulation(&worn::Pushed { fresh, ..worn::Pushed::default() }).run().unwrap_err();
         let expected = format!(
             "the motion cannot start: the limit of skate `runner` is {fresh} at t = 0 s; it must be above zero"
         );
@@ -342,7 +343,7 @@ fn invariant_limit_that_is_not_above_zero_at_the_start_is_refused() {
 
 #[test]
 fn invariant_sample_behind_a_change_that_failed_belongs_to_its_mode() {
-    let run = Simulation::new(&slick::Waved::default()).method(Method::dop853(1e-12)).run().unwrap();
+    let run = simulation(&slick::Waved::default()).method(Method::dop853(1e-12)).run().unwrap();
     let (_, t, value) = fault(&run);
     assert!(value.is_nan() && t == run.last().t, "{value} N at {t}");
     assert_eq!(named(&run).last(), Some(&("runner stops", t)));

@@ -3,6 +3,7 @@
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{Cost, Monitors, SetupError, SoftestImpact, StopReason};
+use ezy_tests::dynamic::simulation;
 use nalgebra::{DMatrix, DVector};
 
 /// Landings are located to 1e-12 s, and each bounce goes on from the last one; methods keep to 1e-12.
@@ -153,7 +154,7 @@ fn analytic_stone_bounces_until_it_rests_by_every_method() {
     for method in
         [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)]
     {
-        let run = Simulation::new(&stone::Falls::default()).method(method).run().unwrap();
+        let run = simulation(&stone::Falls::default()).method(method).run().unwrap();
         assert!(run.outcome.reached_end(), "{}", run.outcome);
         // 1 s down, then flights of 1 s, 1/2 s, …: landing n is at 3 s - 2^(1 - n)
         let hits = times(&run, "ground_below hits");
@@ -174,7 +175,7 @@ fn analytic_stone_bounces_until_it_rests_by_every_method() {
 
 #[test]
 fn analytic_heights_of_a_bouncing_stone_are_squares() {
-    let run = Simulation::new(&stone::Falls::default()).method(Method::dop853(1e-12)).every(0.125).run().unwrap();
+    let run = simulation(&stone::Falls::default()).method(Method::dop853(1e-12)).every(0.125).run().unwrap();
     let heights = [(1.5, 1.25), (2.25, 0.3125), (2.625, 0.078125)];
     for (t, height) in heights {
         let found = run.samples().find(|sample| sample.t == t).unwrap().get("stone.y").unwrap();
@@ -186,7 +187,7 @@ fn analytic_heights_of_a_bouncing_stone_are_squares() {
 fn analytic_stone_rests_on_a_floor_away_from_the_origin() {
     // rounding of 3 m hides flights below 1e-14 m
     let scene = stone::Falls { floor: 3.0, ..stone::Falls::default() };
-    let run = Simulation::new(&scene).method(Method::taylor(1e-12)).run().unwrap();
+    let run = simulation(&scene).method(Method::taylor(1e-12)).run().unwrap();
     let holds = times(&run, "ground_below holds");
     let expected = 3.0 * 0.4f64.sqrt();
     assert!(holds.len() == 1 && (holds[0] - expected).abs() <= 1e-6, "{holds:?} for {expected}");
@@ -196,7 +197,7 @@ fn analytic_stone_rests_on_a_floor_away_from_the_origin() {
 #[test]
 fn invariant_works_balance_the_energy_of_impacts() {
     for method in METHODS {
-        let run = Simulation::new(&stone::Falls::default()).method(method).work().every(0.3).run().unwrap();
+        let run = simulation(&stone::Falls::default()).method(method).work().every(0.3).run().unwrap();
         for sample in run.samples() {
             assert!(sample.energy.balance.abs() <= BALANCE_J, "{} by {}", sample.energy.balance, method.name());
         }
@@ -208,7 +209,7 @@ fn invariant_works_balance_the_energy_of_impacts() {
 #[test]
 fn invariant_thousand_elastic_impacts_keep_the_energy() {
     let scene = stone::Falls { e: 1.0, ..stone::Falls::default() };
-    let run = Simulation::new(&scene).method(Method::taylor(1e-12)).until(2000.0).run().unwrap();
+    let run = simulation(&scene).method(Method::taylor(1e-12)).until(2000.0).run().unwrap();
     assert_eq!(times(&run, "ground_below hits").len(), 1000);
     let (first, last) = (run.first().energy, run.last().energy);
     let change = (last.kinetic + last.potential) / (first.kinetic + first.potential) - 1.0;
@@ -244,7 +245,7 @@ fn after_impact(scene: &elbow::Swing, q: &[f64], v: &[f64]) -> DVector<f64> {
 #[test]
 fn cross_impact_in_a_linkage_is_the_dense_solution() {
     let scene = elbow::Swing::default();
-    let order = |until: f64| Simulation::new(&scene).method(Method::dop853(1e-12)).until(until).run().unwrap();
+    let order = |until: f64| simulation(&scene).method(Method::dop853(1e-12)).until(until).run().unwrap();
     let run = order(0.4);
     let hit = &run.events()[0];
     assert_eq!(hit.event.name, "reach hits");
@@ -263,7 +264,7 @@ fn cross_impact_in_a_linkage_is_the_dense_solution() {
 #[test]
 fn cross_linkage_between_two_ends_moves_alike_by_every_method() {
     let scene = elbow::Swing::default();
-    let runs = METHODS.map(|method| Simulation::new(&scene).method(method).work().run().unwrap());
+    let runs = METHODS.map(|method| simulation(&scene).method(method).work().run().unwrap());
     let expected = times(&runs[1], "reach hits");
     assert!(expected.len() > 2, "{:?}", names(&runs[1]));
     for (run, method) in runs.iter().zip(METHODS) {
@@ -279,7 +280,7 @@ fn cross_linkage_between_two_ends_moves_alike_by_every_method() {
 fn analytic_arm_leaves_its_stop_where_the_torque_turns() {
     for method in METHODS {
         let scene = arm::Pressed::default();
-        let run = Simulation::new(&scene).method(method).every(0.1).run().unwrap();
+        let run = simulation(&scene).method(method).every(0.1).run().unwrap();
         assert_eq!(names(&run), ["rest lets go"], "{}", run.outcome);
         let (begins, arm::Pressed { m0, w, j }) = (run.events()[0].state.t, scene);
         let expected = std::f64::consts::FRAC_PI_2 / w;
@@ -311,7 +312,7 @@ fn analytic_input_that_turns_between_steps_frees_the_arm() {
 #[test]
 fn analytic_puck_goes_to_and_fro_between_two_ends() {
     for method in METHODS {
-        let run = Simulation::new(&puck::Slides::default()).method(method).run().unwrap();
+        let run = simulation(&puck::Slides::default()).method(method).run().unwrap();
         let hits = times(&run, "walls hits");
         let expected = [1.0, 1.0 + 2.0 / 0.8, 1.0 + 2.0 / 0.8 + 2.0 / 0.64];
         assert_eq!(hits.len(), expected.len(), "{}", run.outcome);
@@ -330,7 +331,7 @@ fn analytic_puck_goes_to_and_fro_between_two_ends() {
 fn analytic_puck_that_nothing_presses_stays_at_a_wall_without_restitution() {
     for method in METHODS {
         let scene = puck::Slides { e: 0.0 };
-        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let run = simulation(&scene).method(method).run().unwrap();
         assert_eq!(names(&run), ["walls hits", "walls holds"], "{}", run.outcome);
         assert_eq!(run.last().get("puck.vx").unwrap(), 0.0);
     }
@@ -340,7 +341,7 @@ fn analytic_puck_that_nothing_presses_stays_at_a_wall_without_restitution() {
 fn analytic_ball_leaves_a_shaking_table_where_it_falls_faster() {
     for method in METHODS {
         let scene = table::Shakes::default();
-        let run = Simulation::new(&scene).method(method).work().every(0.05).run().unwrap();
+        let run = simulation(&scene).method(method).work().every(0.05).run().unwrap();
         assert!(run.outcome.reached_end(), "{}", run.outcome);
         assert_eq!(names(&run)[..3], ["top lets go", "top hits", "top holds"]);
         let expected = (scene.g / (scene.a * scene.w * scene.w)).asin() / scene.w;
@@ -355,7 +356,7 @@ fn analytic_ball_leaves_a_shaking_table_where_it_falls_faster() {
 
 #[test]
 fn analytic_multipliers_of_other_rows_keep_their_names() {
-    let run = Simulation::new(&sled::Slides::default()).method(Method::dop853(1e-12)).every(0.3).run().unwrap();
+    let run = simulation(&sled::Slides::default()).method(Method::dop853(1e-12)).every(0.3).run().unwrap();
     // 2 m/s²: at the wall after 1 s, where 4 N press on
     assert_eq!(names(&run), ["wall hits", "wall holds"]);
     for sample in run.samples() {
@@ -367,7 +368,7 @@ fn analytic_multipliers_of_other_rows_keep_their_names() {
 
 #[test]
 fn analytic_plate_without_mass_bounces_with_its_stone() {
-    let run = Simulation::new(&plated::Falls::default()).method(Method::dop853(1e-12)).run().unwrap();
+    let run = simulation(&plated::Falls::default()).method(Method::dop853(1e-12)).run().unwrap();
     let hits = times(&run, "floor hits");
     assert_eq!(hits.len(), 2, "{}", run.outcome);
     assert!((hits[0] - 1.0).abs() <= LOCATED_S && (hits[1] - 2.0).abs() <= LOCATED_S, "{hits:?}");
@@ -376,7 +377,7 @@ fn analytic_plate_without_mass_bounces_with_its_stone() {
 #[test]
 fn invariant_ball_that_bounces_on_a_shaking_table_stays_above_it() {
     let scene = table::Shakes { e: 0.7, ..table::Shakes::default() };
-    let run = Simulation::new(&scene).method(Method::dop853(1e-12)).work().until(3.0).every(0.01).run().unwrap();
+    let run = simulation(&scene).method(Method::dop853(1e-12)).work().until(3.0).every(0.01).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     for sample in run.samples() {
         let above = sample.get("ball.y").unwrap() - scene.a * (scene.w * sample.t).sin();
@@ -387,11 +388,11 @@ fn invariant_ball_that_bounces_on_a_shaking_table_stays_above_it() {
 
 #[test]
 fn analytic_start_that_moves_into_a_stop_begins_with_an_impact() {
-    let run = Simulation::new(&stone::ThrownDown::default()).method(Method::dop853(1e-12)).work().run().unwrap();
+    let run = simulation(&stone::ThrownDown::default()).method(Method::dop853(1e-12)).work().run().unwrap();
     assert_eq!(times(&run, "ground_below hits"), [0.0]);
     assert_eq!(run.monitors.softest_impact, Some(SoftestImpact { speed: 6.0, t: 0.0 }));
     // a speed that is rounding is none
-    let stands = Simulation::new(&stone::ThrownDown::default()).start("stone.vy", -1e-15).run().unwrap();
+    let stands = simulation(&stone::ThrownDown::default()).start("stone.vy", -1e-15).run().unwrap();
     assert_eq!(stands.monitors.softest_impact, None);
     // 3 m/s upwards for 0.5 s
     assert!((run.last().get("stone.y").unwrap() - 0.25).abs() <= LOCATED_S);
@@ -401,7 +402,7 @@ fn analytic_start_that_moves_into_a_stop_begins_with_an_impact() {
 #[test]
 fn invariant_start_beyond_a_stop_is_refused() {
     let scene = stone::Falls { floor: 5.5, ..stone::Falls::default() };
-    let error = Simulation::new(&scene).run().unwrap_err();
+    let error = simulation(&scene).run().unwrap_err();
     assert!(matches!(error, SetupError::BeyondStop { stop: "ground_below", end: "lower", .. }), "{error}");
     assert_eq!(
         error.to_string(),
@@ -413,7 +414,7 @@ fn invariant_start_beyond_a_stop_is_refused() {
 #[test]
 fn invariant_restitution_that_gains_energy_ends_the_run_at_the_impact() {
     let scene = stone::Falls { e: 1.5, ..stone::Falls::default() };
-    let run = Simulation::new(&scene).method(Method::dop853(1e-12)).run().unwrap();
+    let run = simulation(&scene).method(Method::dop853(1e-12)).run().unwrap();
     let outcome = run.outcome.to_string();
     assert!(!run.outcome.reached_end() && outcome.contains("`ground_below` is 1.5"), "{outcome}");
     assert!((run.last().t - 1.0).abs() <= LOCATED_S);
@@ -421,14 +422,14 @@ fn invariant_restitution_that_gains_energy_ends_the_run_at_the_impact() {
 
 #[test]
 fn invariant_steppers_refuse_a_stop() {
-    let error = Simulation::new(&stone::Falls::default()).stepper().map(|_| ()).unwrap_err();
+    let error = simulation(&stone::Falls::default()).stepper().map(|_| ()).unwrap_err();
     assert!(matches!(error, SetupError::Modes { what: "stop", name: "ground_below", .. }), "{error}");
 }
 
 #[test]
 fn analytic_bound_that_is_no_number_ends_the_run_where_it_is() {
     for method in METHODS {
-        let run = Simulation::new(&lidded::Falls::default()).method(method).run().unwrap();
+        let run = simulation(&lidded::Falls::default()).method(method).run().unwrap();
         let Outcome::Stopped { reason: StopReason::Motion(MotionError::StopNotFinite { stop, end, t, .. }), .. } =
             run.outcome
         else {
@@ -442,7 +443,7 @@ fn analytic_bound_that_is_no_number_ends_the_run_where_it_is() {
 
 #[test]
 fn invariant_bound_that_is_no_number_at_the_start_is_refused() {
-    let error = Simulation::new(&lidded::Falls { life: -1.0, ..lidded::Falls::default() }).run().unwrap_err();
+    let error = simulation(&lidded::Falls { life: -1.0, ..lidded::Falls::default() }).run().unwrap_err();
     assert_eq!(
         error.to_string(),
         "the motion cannot start: the distance of stop `shaft` from its upper end is NaN at t = 0 s; its quantity and its \
@@ -453,7 +454,7 @@ fn invariant_bound_that_is_no_number_at_the_start_is_refused() {
 #[test]
 fn invariant_steps_cut_at_impacts_count_as_rejected() {
     let scene = stone::Falls::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(0.05));
+    let order = || simulation(&scene).method(Method::rk4(0.05));
     let run = order().run().unwrap();
     let n_hits = times(&run, "ground_below hits").len() as u64;
     assert!(run.cost.rejected >= n_hits, "{} for {n_hits} hits", run.cost.rejected);
@@ -480,7 +481,7 @@ model! {
 #[test]
 fn invariant_impact_that_rows_forbid_ends_the_run_with_the_state_before_it() {
     for method in METHODS {
-        let run = Simulation::new(&rammed::Runs::default()).method(method).run().unwrap();
+        let run = simulation(&rammed::Runs::default()).method(method).run().unwrap();
         let last = run.last();
         assert!(
             !run.outcome.reached_end() && (last.t - 0.5).abs() <= LOCATED_S,
@@ -497,12 +498,12 @@ fn invariant_impact_that_rows_forbid_ends_the_run_with_the_state_before_it() {
 #[test]
 fn invariant_row_of_a_stop_that_holds_is_watched() {
     // without it there is no row
-    let run = Simulation::new(&puck::Slides { e: 0.0 }).method(Method::dop853(1e-12)).run().unwrap();
+    let run = simulation(&puck::Slides { e: 0.0 }).method(Method::dop853(1e-12)).run().unwrap();
     let Monitors { position_residual, velocity_residual, position_drift, velocity_drift, pivot, .. } = run.monitors;
     for peak in [position_residual, velocity_residual, position_drift, velocity_drift] {
         assert_eq!(peak.unwrap().row, "walls");
     }
     assert!(pivot.unwrap().t > 1.0);
-    let bounces = Simulation::new(&puck::Slides::default()).method(Method::dop853(1e-12)).run().unwrap();
+    let bounces = simulation(&puck::Slides::default()).method(Method::dop853(1e-12)).run().unwrap();
     assert!(bounces.monitors.position_residual.is_none() && bounces.monitors.pivot.is_none());
 }

@@ -2,6 +2,7 @@
 
 use crate::scenes::{Case, coast, distance, driven, set};
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 use std::f64::consts::PI;
 
 const SPEED: f64 = 1.0;
@@ -19,7 +20,7 @@ const AT_REST: f64 = 1e-12;
 fn analytic_coast_straight_stays_uniform() {
     for Case { route, scene } in coast() {
         for (psi, horizon) in STRAIGHT_RUNS {
-            let run = Simulation::new(&*scene)
+            let run = simulation(&*scene)
                 .method(Method::rk4(1e-3))
                 .until(horizon)
                 .start("seat.vx", SPEED)
@@ -43,7 +44,7 @@ fn analytic_driven_locked_stays_at_rest() {
     for Case { route, mut scene } in driven() {
         // a + b = c + d = L, folded: both wheels at one point
         set(&mut *scene, &[("c", 0.4), ("d", 0.4)]);
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(10.0).every(0.5).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).until(10.0).every(0.5).run().unwrap();
         assert!(run.outcome.reached_end(), "{route}: {}", run.outcome);
         for s in run.samples() {
             let moved = distance(s.coordinates, run.first().coordinates);

@@ -1,6 +1,7 @@
 //! Scenes in which several rows are switched: skates with limits, and a stop.
 
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 
 /// Changes are located to 1e-12 s; the value that is located carries rounding of 1e-15 m/s or N at slopes around one, and where
 /// a slide ends its start counts, too.
@@ -131,7 +132,7 @@ fn slide(limit: f64) -> [f64; 2] {
 fn analytic_skates_of_bodies_apart_slide_each_for_itself() {
     let ([a, b], [c, d]) = (slide(3.0), slide(3.5));
     for method in METHODS {
-        let run = Simulation::new(&pair::Waved::default()).method(method).until(4.5).run().unwrap();
+        let run = simulation(&pair::Waved::default()).method(method).until(4.5).run().unwrap();
         let expected = [("first slides", a), ("second slides", c), ("second stops", d), ("first stops", b)];
         assert_changes(&run, &expected, LOCATED_S);
     }
@@ -142,7 +143,7 @@ fn analytic_skates_that_let_go_at_once_are_both_told() {
     let [a, b] = slide(3.0);
     let scene = pair::Waved { second_limit: 3.0, ..Default::default() };
     for method in METHODS {
-        let run = Simulation::new(&scene).method(method).until(4.5).run().unwrap();
+        let run = simulation(&scene).method(method).until(4.5).run().unwrap();
         let expected = [("first slides", a), ("second slides", a), ("first stops", b), ("second stops", b)];
         assert_changes(&run, &expected, LOCATED_S);
     }
@@ -160,7 +161,7 @@ fn analytic_block_that_slides_draws_the_next_one_over_its_limit() {
     // the near block must not have stopped before
     assert!(follows < begins + std::f64::consts::TAU / omega, "{follows}");
     for method in FINE {
-        let run = Simulation::new(&scene).method(method).until(follows + 0.01).run().unwrap();
+        let run = simulation(&scene).method(method).until(follows + 0.01).run().unwrap();
         assert_changes(&run, &[("near_runner slides", begins), ("far_runner slides", follows)], FOLLOWED);
     }
 }
@@ -172,7 +173,7 @@ fn invariant_forces_of_two_runners_are_those_of_their_laws() {
     for (phase, method) in [0.0, 1.5].into_iter().flat_map(|phase| FINE.map(|method| (phase, method))) {
         let scene = runners::Pushed { phase, ..Default::default() };
         let limits = [scene.rear_limit, scene.front_limit];
-        let run = Simulation::new(&scene).method(method).every(0.01).work().run().unwrap();
+        let run = simulation(&scene).method(method).every(0.01).work().run().unwrap();
         assert!(run.outcome.reached_end(), "{}", run.outcome);
         let names: std::collections::BTreeSet<&str> = run.events().iter().map(|e| e.event.name).collect();
         assert_eq!(
@@ -222,7 +223,7 @@ fn analytic_limit_gives_no_impulse_to_an_impact() {
     let hit = 1.0 / v;
     let slides_s = (1.0 + e) * v / 2f64.sqrt() / limit;
     for method in METHODS {
-        let run = Simulation::new(&scene).method(method).until(hit + slides_s + 0.1).run().unwrap();
+        let run = simulation(&scene).method(method).until(hit + slides_s + 0.1).run().unwrap();
         let expected = [("wall hits", hit), ("runner slides", hit), ("runner stops", hit + slides_s)];
         assert_changes(&run, &expected, LOCATED_S);
         let last = run.last();
@@ -237,7 +238,7 @@ fn analytic_limit_gives_no_impulse_to_an_impact() {
 fn analytic_skate_slides_along_a_wall_that_holds() {
     let [a, b] = slide(3.0);
     for method in METHODS {
-        let run = Simulation::new(&pressed::Leaves::default()).method(method).run().unwrap();
+        let run = simulation(&pressed::Leaves::default()).method(method).run().unwrap();
         assert_changes(&run, &[("runner slides", a), ("wall lets go", 2.0)], LOCATED_S);
         let last = run.last();
         let (tau, u) = (1.5, 3.5 - a);

@@ -2,6 +2,7 @@
 
 use crate::scenes::{Case, coast, distance, driven, set};
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 use std::f64::consts::PI;
 
 /// Both runs do the same steps; only rounding differs, amplified by at most 20 within five seconds.
@@ -13,7 +14,7 @@ const STEP: f64 = 1e-3;
 
 /// A coasting run from a placed and turned start.
 fn placed(scene: &dyn Scene, x: f64, y: f64, phi: f64) -> Run {
-    Simulation::new(scene)
+    simulation(scene)
         .method(Method::rk4(STEP))
         .start("seat.x", x)
         .start("seat.y", y)
@@ -42,9 +43,8 @@ fn invariant_coast_under_rigid_motions() {
 fn invariant_driven_under_reflection() {
     for (Case { route, scene }, Case { scene: mut mirrored, .. }) in driven().into_iter().zip(driven()) {
         set(&mut *mirrored, &[("m0", -2.0)]);
-        let plain = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(5.0).run().unwrap();
-        let mirror =
-            Simulation::new(&*mirrored).method(Method::rk4(1e-3)).until(5.0).start("bar.phi", -PI).run().unwrap();
+        let plain = simulation(&*scene).method(Method::rk4(1e-3)).until(5.0).run().unwrap();
+        let mirror = simulation(&*mirrored).method(Method::rk4(1e-3)).until(5.0).start("bar.phi", -PI).run().unwrap();
         let q = plain.last().coordinates;
         let expected = [q[0], -q[1], -q[2], q[3], -q[4], -q[5]];
         let error = distance(&expected, mirror.last().coordinates);
@@ -57,7 +57,7 @@ fn invariant_driven_under_scaling_of_masses() {
     for (Case { route, scene }, Case { scene: mut heavy, .. }) in driven().into_iter().zip(driven()) {
         let k = 7.0;
         set(&mut *heavy, &[("m1", 46.0 * k), ("i1", 10.0 * k), ("m2", k), ("i2", 0.005 * k), ("m0", 2.0 * k)]);
-        let run = |scene: &dyn Scene| Simulation::new(scene).method(Method::rk4(1e-3)).until(5.0).run().unwrap();
+        let run = |scene: &dyn Scene| simulation(scene).method(Method::rk4(1e-3)).until(5.0).run().unwrap();
         let error = distance(run(&*scene).last().coordinates, run(&*heavy).last().coordinates);
         assert!(error <= SAME_STEPS, "{route}: {error:.1e}");
     }
@@ -67,8 +67,8 @@ fn invariant_driven_under_scaling_of_masses() {
 fn invariant_coast_under_scaling_of_time() {
     for Case { route, scene } in coast() {
         let k = 4.0;
-        let slow = Simulation::new(&*scene).method(Method::rk4(STEP)).run().unwrap();
-        let fast = Simulation::new(&*scene).method(Method::rk4(STEP / k)).until(1.0 / k).start("seat.vx", k);
+        let slow = simulation(&*scene).method(Method::rk4(STEP)).run().unwrap();
+        let fast = simulation(&*scene).method(Method::rk4(STEP / k)).until(1.0 / k).start("seat.vx", k);
         let error = distance(slow.last().coordinates, fast.run().unwrap().last().coordinates);
         assert!(error <= SAME_STEPS, "{route}: {error:.1e}");
     }
@@ -77,8 +77,8 @@ fn invariant_coast_under_scaling_of_time() {
 #[test]
 fn invariant_coast_under_reversal_of_time() {
     for Case { route, scene } in coast() {
-        let there = Simulation::new(&*scene).method(Method::rk4(STEP)).run().unwrap();
-        let mut back = Simulation::new(&*scene).method(Method::rk4(STEP));
+        let there = simulation(&*scene).method(Method::rk4(STEP)).run().unwrap();
+        let mut back = simulation(&*scene).method(Method::rk4(STEP));
         let info = scene.info();
         for (i, (c, v)) in info.coordinates.iter().zip(&*info.velocities).enumerate() {
             back = back.start(&*c.name, there.last().coordinates[i]).start(&*v.name, -there.last().velocities[i]);
@@ -93,8 +93,8 @@ fn invariant_coast_under_reversal_of_time() {
 fn invariant_coast_under_turning_the_axes_of_the_bar() {
     for (Case { route, scene }, Case { scene: mut turned, .. }) in coast().into_iter().zip(coast()) {
         set(&mut *turned, &[("c", -0.1), ("d", -0.1)]);
-        let plain = Simulation::new(&*scene).method(Method::rk4(1e-3)).run().unwrap();
-        let turned = Simulation::new(&*turned).method(Method::rk4(1e-3)).start("bar.phi", 1.5 * PI).run().unwrap();
+        let plain = simulation(&*scene).method(Method::rk4(1e-3)).run().unwrap();
+        let turned = simulation(&*turned).method(Method::rk4(1e-3)).start("bar.phi", 1.5 * PI).run().unwrap();
         let mut expected = plain.last().coordinates.to_vec();
         expected[5] += PI;
         let error = distance(&expected, turned.last().coordinates);

@@ -7,6 +7,7 @@ use ezy_core::testing::StepsBy;
 use ezy_models::registry::MODELS;
 use ezy_models::{andrews, differential_robot, double_pendulum, ezy_roller, roller_racer};
 use ezy_tests::crank::Crank;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::hand_roller::HandRoller;
 use ezy_tests::reference::load;
 
@@ -50,7 +51,7 @@ fn order_values_between_are_as_good_as_a_step() {
 fn order_error_follows_the_tolerance() {
     let end = load("ezyroller_driven").pop().expect("a reference at the end");
     let error = |tolerance: f64| {
-        let run = Simulation::new(&HandRoller::driven()).method(Method::taylor(tolerance)).run().unwrap();
+        let run = simulation(&HandRoller::driven()).method(Method::taylor(tolerance)).run().unwrap();
         distance(run.last().coordinates, &end.q)
     };
     for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
@@ -63,7 +64,7 @@ fn order_error_follows_the_tolerance() {
 #[test]
 fn analytic_series_without_odd_orders_does_not_fool_the_step() {
     // from rest every second coefficient vanishes; the first steps are as long as the others
-    let run = Simulation::new(&HandRoller::driven()).method(Method::taylor(1e-12)).until(1.0).run().unwrap();
+    let run = simulation(&HandRoller::driven()).method(Method::taylor(1e-12)).until(1.0).run().unwrap();
     assert!((4..=12).contains(&run.cost.steps), "{} steps", run.cost.steps);
     assert_eq!((run.last().t, run.cost.rejected), (1.0, 0));
 }
@@ -72,7 +73,7 @@ fn analytic_series_without_odd_orders_does_not_fool_the_step() {
 fn analytic_rest_takes_one_step() {
     let mut still = HandRoller::driven();
     set(&mut still, &[("m0", 0.0)]);
-    let run = Simulation::new(&still).method(Method::taylor(1e-9)).until(1e6).run().unwrap();
+    let run = simulation(&still).method(Method::taylor(1e-9)).until(1e6).run().unwrap();
     assert_eq!((run.cost.steps, run.last().t), (1, 1e6));
     assert_eq!(run.last().coordinates, run.first().coordinates);
 }
@@ -80,7 +81,7 @@ fn analytic_rest_takes_one_step() {
 #[test]
 fn invariant_works_along_the_polynomials_balance_the_energy() {
     let scene = HandRoller::driven();
-    let order = || Simulation::new(&scene).method(Method::taylor(1e-14)).until(20.0).every(0.37);
+    let order = || simulation(&scene).method(Method::taylor(1e-14)).until(20.0).every(0.37);
     let [without, with] = [order().run().unwrap(), order().work().run().unwrap()];
     assert_eq!(without.last().coordinates, with.last().coordinates);
     for s in with.samples() {
@@ -92,7 +93,7 @@ fn invariant_works_along_the_polynomials_balance_the_energy() {
 fn cross_taylor_solves_by_every_backend() {
     let scene = HandRoller::driven();
     let end = |backend| {
-        let order = Simulation::new(&scene).method(Method::taylor(1e-13)).backend(backend).until(5.0);
+        let order = simulation(&scene).method(Method::taylor(1e-13)).backend(backend).until(5.0);
         order.run().unwrap().last().coordinates.to_vec()
     };
     let generated = end(Backend::Generated);
@@ -105,8 +106,8 @@ fn cross_taylor_solves_by_every_backend() {
 fn cross_emitted_series_is_the_one_by_hand() {
     let (hand, generated) = (HandRoller::driven(), ezy_roller::Driven::default());
     let ends = [
-        Simulation::new(&hand).method(Method::taylor(1e-13)).until(5.0).run().unwrap(),
-        Simulation::new(&generated).method(Method::taylor(1e-13)).until(5.0).run().unwrap(),
+        simulation(&hand).method(Method::taylor(1e-13)).until(5.0).run().unwrap(),
+        simulation(&generated).method(Method::taylor(1e-13)).until(5.0).run().unwrap(),
     ];
     let [hand, generated] = ends.each_ref().map(|run| run.last().coordinates);
     assert!(distance(hand, generated) <= SOLVERS);
@@ -122,7 +123,7 @@ fn cross_taylor_and_dop853_on_every_scene() {
             continue;
         }
         let until_s = scene.info().until_s.min(1.0);
-        let order = |method| Simulation::new(&*scene).method(method).until(until_s).run().unwrap();
+        let order = |method| simulation(&*scene).method(method).until(until_s).run().unwrap();
         let [one, other] = [Method::taylor(1e-12), Method::dop853(1e-12)].map(order);
         let size = one.last().coordinates.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
         let error = distance(one.last().coordinates, other.last().coordinates) / size;
@@ -146,7 +147,7 @@ model! {
 #[test]
 fn analytic_free_flight_takes_one_step() {
     let scene = stone::Flight::default();
-    let run = Simulation::new(&scene).method(Method::taylor(1e-12)).run().unwrap();
+    let run = simulation(&scene).method(Method::taylor(1e-12)).run().unwrap();
     assert_eq!((run.cost.steps, run.last().t), (1, 100.0));
     let expected = [300.0, 400.0 - 0.5 * 9.81 * 1e4, 500.0];
     assert!(distance(run.last().coordinates, &expected) <= 1e-15 * expected[1].abs());
@@ -155,7 +156,7 @@ fn analytic_free_flight_takes_one_step() {
 #[test]
 fn cross_massless_bodies_are_solved_by_the_pivoted_solver() {
     let scene = ezy_roller::Driven { i2: 0.0, ..Default::default() };
-    let order = |method| Simulation::new(&scene).method(method).until(2.0).run().unwrap();
+    let order = |method| simulation(&scene).method(method).until(2.0).run().unwrap();
     let [one, other] = [Method::taylor(1e-12), Method::dop853(1e-12)].map(order);
     assert!(distance(one.last().coordinates, other.last().coordinates) <= EVERY_SCENE);
 }
@@ -163,13 +164,13 @@ fn cross_massless_bodies_are_solved_by_the_pivoted_solver() {
 #[test]
 fn analytic_law_without_a_series_is_named() {
     let scene = ezy_models::skateboard::Ridden::default();
-    let error = Simulation::new(&scene).method(Method::taylor(1e-9)).run().unwrap_err();
+    let error = simulation(&scene).method(Method::taylor(1e-9)).run().unwrap_err();
     assert!(error.to_string().contains("`max`"), "{error}");
 }
 
 #[test]
 fn analytic_scene_without_a_series_is_refused() {
-    let outcome = Simulation::new(&Crank::default()).method(Method::taylor(1e-9)).run();
+    let outcome = simulation(&Crank::default()).method(Method::taylor(1e-9)).run();
     assert!(matches!(outcome, Err(SetupError::NoSeries { scene: "turn", .. })));
 }
 
@@ -186,7 +187,7 @@ fn cross_taylor_steps_do_not_pass_over_a_friction_layer() {
         knee: 5.44e-5,
         ..roller_racer::RowedOnTarmac::default()
     };
-    let run = |method: Method| Simulation::new(&scene).method(method).until(4.3).run().unwrap();
+    let run = |method: Method| simulation(&scene).method(method).until(4.3).run().unwrap();
     let reference = run(Method::dop853(1e-12));
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
         let taylor = run(Method::taylor(tolerance));
@@ -199,7 +200,7 @@ fn cross_taylor_steps_do_not_pass_over_a_friction_layer() {
 #[test]
 fn invariant_taylor_takes_few_steps_again_where_forces_are_smooth() {
     let cost = |scene: &dyn Scene, tolerance: f64| {
-        let run = Simulation::new(scene).method(Method::taylor(tolerance)).run().unwrap();
+        let run = simulation(scene).method(Method::taylor(tolerance)).run().unwrap();
         assert!(run.outcome.reached_end());
         run.cost
     };
@@ -223,7 +224,7 @@ const ADDED_UP: f64 = 100.0;
 fn cross_taylor_keeps_to_the_tolerance_over_short_levers() {
     let scene = differential_robot::Cruise { left_torque: 1.4, ..Default::default() };
     let until_s = 6.0;
-    let run = |method| Simulation::new(&scene).method(method).until(until_s).run().unwrap();
+    let run = |method| simulation(&scene).method(method).until(until_s).run().unwrap();
     let numbers = |run: &Run| [run.last().coordinates, run.last().velocities].concat();
     let expected = numbers(&run(Method::dop853(1e-13)));
     for tolerance in [1e-4, 1e-6, 1e-7, 1e-8, 1e-10] {

@@ -2,6 +2,7 @@
 
 use crate::scenes::{Case, coast, distance, driven, set};
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::{ReferenceSample, load};
 
 /// RK4 at 0.1 ms over 1 s: the method leaves 1e-16, rounding of 1e4 steps less than 1e-12.
@@ -31,7 +32,7 @@ fn reference_at(reference: &[ReferenceSample], t: f64) -> &ReferenceSample {
 fn reference_coast_at_one_second() {
     let reference = load("ezyroller_coast");
     for Case { route, scene } in coast() {
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-4)).every(0.1).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-4)).every(0.1).run().unwrap();
         assert_eq!(run.samples().len(), reference.len(), "{route}");
         for (s, r) in run.samples().zip(&reference) {
             let error = distance(s.coordinates, &r.q);
@@ -45,7 +46,7 @@ fn reference_coast_at_one_second() {
 fn reference_driven_at_all_samples() {
     let reference = load("ezyroller_driven");
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).work().method(Method::rk4(1e-3)).every(5.0).run().unwrap();
+        let run = simulation(&*scene).work().method(Method::rk4(1e-3)).every(5.0).run().unwrap();
         for s in run.samples() {
             let r = reference_at(&reference, s.t);
             for (what, error, bar) in [
@@ -68,7 +69,7 @@ fn reference_near_singular_at_all_samples() {
     for Case { route, mut scene } in coast() {
         set(&mut *scene, &[("b", -0.19), ("d", -0.09)]);
         // wheel A rolls at -1 m/s while the seat turns at 0.02 rad/s
-        let run = Simulation::new(&*scene)
+        let run = simulation(&*scene)
             .method(Method::rk4(5e-5))
             .until(0.5)
             .every(0.05)
@@ -91,7 +92,7 @@ fn reference_near_singular_at_all_samples() {
 fn reference_driven_keeps_gaining_speed_for_ten_minutes() {
     let reference = load("ezyroller_driven_long");
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).method(Method::rk4(5e-3)).until(600.0).every(60.0).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(5e-3)).until(600.0).every(60.0).run().unwrap();
         assert_eq!(run.samples().len(), reference.len(), "{route}");
         for (s, r) in run.samples().zip(&reference) {
             let (position, energy) = (distance(s.coordinates, &r.q), (s.energy.kinetic - r.kinetic).abs());

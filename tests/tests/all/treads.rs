@@ -2,6 +2,7 @@
 
 use crate::scenes::{assert_checks, distance};
 use ezy_core::prelude::*;
+use ezy_tests::dynamic::simulation;
 
 model! {
     /// A block that is put onto a belt.
@@ -143,7 +144,7 @@ fn analytic_block_is_carried_along_by_a_belt() {
     for u in [0.01, 0.1] {
         let scene = belt::Carried { u, ..Default::default() };
         let (v, deceleration) = (scene.v, scene.mu * 10.0);
-        let run = Simulation::new(&scene).work().method(PRECISE).every(0.05).run().unwrap();
+        let run = simulation(&scene).work().method(PRECISE).every(0.05).run().unwrap();
         for s in run.samples() {
             let slip = v - s.get("block.vx").unwrap();
             if slip > 1e-3 * u {
@@ -155,7 +156,7 @@ fn analytic_block_is_carried_along_by_a_belt() {
     }
     // v/(μ g) = 0.5 s, if the law is sharp; there remains a slip of 0.66 u, the root of s² + 1 = asinh(1/s)²
     let scene = belt::Carried { u: 1e-6, ..Default::default() };
-    let run = Simulation::new(&scene).method(PRECISE).every(0.5).run().unwrap();
+    let run = simulation(&scene).method(PRECISE).every(0.5).run().unwrap();
     let reached = run.samples().find(|s| (s.t - 0.5).abs() < 1e-9).unwrap();
     assert!((1.5 - reached.get("block.vx").unwrap()).abs() <= scene.u);
 }
@@ -163,7 +164,7 @@ fn analytic_block_is_carried_along_by_a_belt() {
 #[test]
 fn invariant_wheel_and_cart_exchange_momentum_through_the_tread() {
     for scene in [&launch::Sliding::default() as &dyn Scene, &launch::Rolling::default()] {
-        let run = Simulation::new(scene).work().method(PRECISE).every(0.1).run().unwrap();
+        let run = simulation(scene).work().method(PRECISE).every(0.1).run().unwrap();
         let mut lost: f64 = 0.0;
         for s in run.samples() {
             let [v, omega] = ["cart.vx", "wheel.omega"].map(|name| s.get(name).unwrap());
@@ -182,7 +183,7 @@ fn invariant_wheel_and_cart_exchange_momentum_through_the_tread() {
 #[test]
 fn analytic_wheel_spins_down_by_the_law_of_friction() {
     let scene = launch::Sliding::default();
-    let run = Simulation::new(&scene).method(PRECISE).every(0.05).run().unwrap();
+    let run = simulation(&scene).method(PRECISE).every(0.05).run().unwrap();
     let slips = run.samples().map(|s| (s.t, 0.4 * s.get("wheel.omega").unwrap() - s.get("cart.vx").unwrap()));
     for (t, slip) in slips.take_while(|(t, _)| *t < 1.0) {
         let decrease = 6.0 * (1.0 / 3.0 + 0.4 * 0.4 / 0.2) * t;
@@ -194,7 +195,7 @@ fn analytic_wheel_spins_down_by_the_law_of_friction() {
 #[test]
 fn analytic_skid_steered_robot_turns_in_place() {
     let scene = skid_steer::Turns::default();
-    let run = Simulation::new(&scene).work().method(PRECISE).run().unwrap();
+    let run = simulation(&scene).work().method(PRECISE).run().unwrap();
     // every wheel has the same slip, and moves against it: b (w − b Ω) = a² Ω
     let expected = scene.b * 0.5 / (scene.a.powi(2) + scene.b.powi(2));
     let end = run.last();
@@ -207,7 +208,7 @@ fn analytic_skid_steered_robot_turns_in_place() {
 fn analytic_skid_steered_robot_turns_on_a_circle() {
     // slow, so that the forces of the wheels are in balance
     let scene = skid_steer::Turns { left: 0.02, right: 0.05, ..Default::default() };
-    let run = Simulation::new(&scene).method(PRECISE).until(20.0).run().unwrap();
+    let run = simulation(&scene).method(PRECISE).until(20.0).run().unwrap();
     let end = run.last();
     let [vx, vy, angle, rate] = ["robot.vx", "robot.vy", "robot.phi", "robot.omega"].map(|name| end.get(name).unwrap());
     let (along, across) = (vx * angle.cos() + vy * angle.sin(), vy * angle.cos() - vx * angle.sin());
@@ -229,7 +230,7 @@ fn analytic_skid_steered_robot_turns_on_a_circle() {
 #[test]
 fn cross_tyre_on_a_wheel_that_rolls_freely_is_the_tyre_without_tread() {
     let end = |scene: &dyn Scene| {
-        let run = Simulation::new(scene).method(PRECISE).run().unwrap();
+        let run = simulation(scene).method(PRECISE).run().unwrap();
         run.last().coordinates.to_vec()
     };
     let limited = distance(&end(&drift::Limited::default()), &end(&drift::LimitedTread::default()));
@@ -240,7 +241,7 @@ fn cross_tyre_on_a_wheel_that_rolls_freely_is_the_tyre_without_tread() {
 #[test]
 fn cross_wheels_of_an_array_and_wheels_one_by_one() {
     let end = |scene: &dyn Scene, method| {
-        let run = Simulation::new(scene).work().method(method).run().unwrap();
+        let run = simulation(scene).work().method(method).run().unwrap();
         assert!(run.last().energy.balance.abs() <= ALIKE, "{:.1e} J", run.last().energy.balance);
         run.last().coordinates.to_vec()
     };
@@ -258,7 +259,7 @@ fn analytic_tyre_at_rest_gives_no_force_and_its_slope() {
     // no wheel slips: the force is zero, and its slope that of small slips, c/u
     let scene = skid_steer::Turns { left: 0.0, right: 0.0, ..Default::default() };
     for method in [PRECISE, Method::radau(1e-9), Method::rk4(1e-3)] {
-        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let run = simulation(&scene).method(method).run().unwrap();
         assert!(run.last().velocities.iter().all(|v| *v == 0.0), "{method:?}");
     }
     assert_checks(&scene);
@@ -267,7 +268,7 @@ fn analytic_tyre_at_rest_gives_no_force_and_its_slope() {
 #[test]
 fn cross_methods_agree_on_a_start_without_slip() {
     let scene = launch::Starting::default();
-    let run = |method| Simulation::new(&scene).method(method).run().unwrap();
+    let run = |method| simulation(&scene).method(method).run().unwrap();
     let end = |method| {
         let run = run(method);
         assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);

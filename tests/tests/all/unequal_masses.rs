@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::four_bar;
+use ezy_tests::dynamic::simulation;
 use std::f64::consts::FRAC_PI_2;
 
 /// What a start is moved by, rad and rad/s: well above the tolerance of the reference.
@@ -35,7 +36,7 @@ fn four_bars() -> [(four_bar::Turning, f64); 7] {
 #[test]
 fn cross_projected_loops_of_unequal_masses_keep_to_the_tolerance() {
     for (scene, least) in four_bars() {
-        let order = |method, projection| Simulation::new(&scene).method(method).project(projection).until(UNTIL_S);
+        let order = |method, projection| simulation(&scene).method(method).project(projection).until(UNTIL_S);
         let reference = || order(Method::dop853(1e-13), Projection::Velocities);
         let exact = reference().run().unwrap();
         let states = samples(reference());
@@ -54,13 +55,13 @@ fn cross_projected_loops_of_unequal_masses_keep_to_the_tolerance() {
 }
 
 /// The start of the scene with a number moved.
-fn moved<'s>(order: Simulation<'s, &'s four_bar::Turning>, name: &str) -> Simulation<'s, &'s four_bar::Turning> {
+fn moved<'s>(order: Simulation<'s, &'s dyn Scene>, name: &str) -> Simulation<'s, &'s dyn Scene> {
     let start = if name == "crank.phi" { FRAC_PI_2 } else { -1.0 };
     order.start(name, start + MOVED)
 }
 
 /// Coordinates and velocities along a run.
-fn samples(order: Simulation<'_, &four_bar::Turning>) -> Vec<Vec<f64>> {
+fn samples(order: Simulation<'_, &dyn Scene>) -> Vec<Vec<f64>> {
     let run = order.every(0.01 * UNTIL_S).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     run.samples().map(|sample| [sample.coordinates, sample.velocities].concat()).collect()

@@ -6,6 +6,7 @@ use ezy_core::model::Equations;
 use ezy_core::prelude::*;
 use ezy_core::report::drawing::Elements;
 use ezy_core::scalar::{DoubleDouble, Dual, Scalar};
+use ezy_tests::dynamic::{simulation, system_of};
 
 model! {
     /// A chain that becomes thinner: link i has the part 1 - i/(2 n) of the length and of the mass of the first one.
@@ -189,7 +190,7 @@ fn methods() -> [Method; 5] {
 /// Both routes take the same steps, so that they differ by rounding alone.
 fn assert_equal(by_index: &dyn Scene, by_hand: &dyn Scene) {
     for method in methods() {
-        let [x, y] = [by_index, by_hand].map(|scene| Simulation::new(scene).method(method).outputs().run().unwrap());
+        let [x, y] = [by_index, by_hand].map(|scene| simulation(scene).method(method).outputs().run().unwrap());
         for (x, y) in [(x.first(), y.first()), (x.last(), y.last())] {
             let error = distance(x.coordinates, y.coordinates).max(distance(x.velocities, y.velocities));
             let error = error.max(distance(x.multipliers, y.multipliers) / 20.0);
@@ -228,12 +229,12 @@ fn masses(n: usize, m0: f64) -> Vec<f64> {
 fn analytic_mass_matrix_and_energies_of_a_tapered_chain() {
     for n in [1, 4, 33] {
         let scene = tapered::Free { n, m0: 3.0, ..Default::default() };
-        let system = System::new(&scene, Backend::Auto).unwrap();
+        let system = system_of(&scene, Backend::Auto).unwrap();
         let mass = system.mass_matrix();
         let expected = masses(n, 3.0);
         let part = |i: usize| expected[i] / 3.0;
         let (mut kinetic, mut potential) = (0.0, 0.0);
-        let run = Simulation::new(&scene).until(0.0).run().unwrap();
+        let run = simulation(&scene).until(0.0).run().unwrap();
         let first = run.first();
         for (i, m) in expected.iter().enumerate() {
             let inertia = 3.0 * part(i).powi(3) * 0.25 / 12.0;
@@ -257,7 +258,7 @@ fn analytic_mass_matrix_and_energies_of_a_tapered_chain() {
 #[test]
 fn analytic_hinges_of_a_hanging_chain_carry_the_weight_below() {
     for n in [2, 33] {
-        let run = Simulation::new(&tapered::Hang { n, ..Default::default() }).until(0.0).run().unwrap();
+        let run = simulation(&tapered::Hang { n, ..Default::default() }).until(0.0).run().unwrap();
         let first = run.first();
         let weights = masses(n, 2.0).into_iter().map(|m| 9.81 * m);
         let weights: Vec<f64> = weights.collect();
@@ -322,21 +323,21 @@ fn analytic_constants_of_members_grow_with_their_number_alone() {
 #[test]
 fn invariant_member_with_a_negative_mass_is_named() {
     let scene = tapered::Swing { n: 9, m0: -1.0, ..Default::default() };
-    let error = System::new(&scene, Backend::Auto).err().unwrap();
+    let error = system_of(&scene, Backend::Auto).err().unwrap();
     assert!(matches!(&error, SystemError::Mass { body, .. } if body == "link[0]"), "{error}");
-    let error = System::new(&massless_middle::Swing { low: -1.0 }, Backend::Auto).err().unwrap();
+    let error = system_of(&massless_middle::Swing { low: -1.0 }, Backend::Auto).err().unwrap();
     assert_eq!(error.to_string(), "the mass of body `link[1]` is -1; it must be finite and not negative");
 }
 
 #[test]
 fn reference_chain_whose_middle_member_is_massless() {
     let scene = massless_middle::Swing::default();
-    let error = System::new(&scene, Backend::Sparse).err().unwrap().to_string();
+    let error = system_of(&scene, Backend::Sparse).err().unwrap().to_string();
     assert!(error.starts_with("the mass of body `link[1]` is zero"), "{error}");
     // as in `massless_links`
     let angles = [-2.21710469106001, -2.2836681596165405, -1.734867634988195];
     for method in [Method::dop853(1e-11), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)] {
-        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let run = simulation(&scene).method(method).run().unwrap();
         let found: Vec<f64> = run.last().coordinates.iter().skip(2).step_by(3).copied().collect();
         assert!(distance(&found, &angles) <= 1e-9, "{}: {found:?}", method.name());
     }

@@ -3,6 +3,7 @@
 use crate::scenes::{Case, coast, driven};
 use ezy_core::prelude::*;
 use ezy_tests::crank::Crank;
+use ezy_tests::dynamic::simulation;
 use std::sync::atomic::Ordering::Relaxed;
 
 /// RK4 at 10 ms over 60 s: 7.4e-8 J by the order of the method.
@@ -14,7 +15,7 @@ const RATIO: std::ops::RangeInclusive<f64> = 14.5..=17.5;
 fn order_work_equals_kinetic_energy_to_fourth_order() {
     for Case { route, scene } in driven() {
         let gap = |h: f64| {
-            let run = Simulation::new(&*scene).work().method(Method::rk4(h)).run().unwrap();
+            let run = simulation(&*scene).work().method(Method::rk4(h)).run().unwrap();
             run.last().energy.balance.abs()
         };
         let (coarse, fine) = (gap(0.02), gap(0.01));
@@ -26,7 +27,7 @@ fn order_work_equals_kinetic_energy_to_fourth_order() {
 #[test]
 fn invariant_work_of_effects_adds_up() {
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).work().until(5.0).every(1.0).run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).work().until(5.0).every(1.0).run().unwrap();
         assert_eq!(run.first().energy.work, 0.0, "{route}");
         for s in run.samples() {
             assert_eq!(s.work.iter().sum::<f64>(), s.energy.work, "{route}");
@@ -38,7 +39,7 @@ fn invariant_work_of_effects_adds_up() {
 #[test]
 fn invariant_coast_has_no_effects_and_no_work() {
     for Case { route, scene } in coast() {
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).work().run().unwrap();
+        let run = simulation(&*scene).method(Method::rk4(1e-3)).work().run().unwrap();
         assert!(run.last().work.is_empty(), "{route}");
         assert_eq!(run.last().energy.work, 0.0, "{route}");
     }
@@ -47,9 +48,9 @@ fn invariant_coast_has_no_effects_and_no_work() {
 const N_STEPS: u64 = 100;
 
 /// Evaluations of powers and outputs in a run of a hundred steps with eleven samples.
-fn evaluations(change: impl for<'s> Fn(Simulation<'s, &'s Crank>) -> Simulation<'s, &'s Crank>) -> [u64; 2] {
+fn evaluations(change: impl for<'s> Fn(Simulation<'s, &'s dyn Scene>) -> Simulation<'s, &'s dyn Scene>) -> [u64; 2] {
     let scene = Crank::default();
-    let order = Simulation::new(&scene).method(Method::rk4(1e-3)).until(N_STEPS as f64 * 1e-3).every(0.01);
+    let order = simulation(&scene).method(Method::rk4(1e-3)).until(N_STEPS as f64 * 1e-3).every(0.01);
     let run = change(order).run().unwrap();
     assert_eq!((run.cost.steps, run.samples().len()), (N_STEPS, 11));
     [scene.powers.load(Relaxed), scene.outputs.load(Relaxed)]
@@ -74,7 +75,7 @@ fn invariant_work_takes_a_power_at_every_stage() {
 #[test]
 fn invariant_stepper_that_is_not_looked_at_evaluates_neither() {
     let scene = Crank::default();
-    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
+    let mut stepper = simulation(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
     stepper.step(N_STEPS).unwrap();
     assert_eq!([scene.powers.load(Relaxed), scene.outputs.load(Relaxed)], [0, 0]);
     stepper.outputs();
@@ -85,13 +86,13 @@ fn invariant_stepper_that_is_not_looked_at_evaluates_neither() {
 fn invariant_sample_on_the_end_of_a_step_costs_nothing() {
     // three steps of 0.1 s end at 0.30000000000000004 s
     let scene = Crank::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(0.1)).until(3.0);
+    let order = || simulation(&scene).method(Method::rk4(0.1)).until(3.0);
     let (sampled, plain) = (order().every(0.3).run().unwrap(), order().run().unwrap());
     assert_eq!(sampled.samples().len(), 11);
     assert_eq!(sampled.cost.evaluations, plain.cost.evaluations);
     // within 1e-9 of a step a sample is its end, and farther away it is not
     let apart = |share: f64| {
-        let order = || Simulation::new(&scene).method(Method::rk4(0.1)).until(0.3);
+        let order = || simulation(&scene).method(Method::rk4(0.1)).until(0.3);
         let sampled = order().every(0.1 * (1.0 + share)).run().unwrap();
         sampled.cost.evaluations - order().run().unwrap().cost.evaluations
     };

@@ -1,7 +1,8 @@
 //! Chains of rods, up to a hundred thousand.
 
 use super::*;
-use ezy_core::prelude::{Method, Simulation};
+use crate::dynamic::simulation;
+use ezy_core::prelude::Method;
 use ezy_models::chain;
 
 /// Of the reference, over the amplification of errors that it states.
@@ -97,7 +98,7 @@ fn times() -> Findings {
     for _ in 0..RUNS {
         for (time, n) in seconds.iter_mut().zip([10_000, 100_000]) {
             let scene = rods(n);
-            let order = Simulation::new(&scene).method(Method::rk4(STEP_S)).until(STEPS as f64 * STEP_S);
+            let order = simulation(&scene).method(Method::rk4(STEP_S)).until(STEPS as f64 * STEP_S);
             let Ok(run) = order.run() else {
                 gap = f64::NAN;
                 continue;

@@ -1,10 +1,11 @@
 //! Ratios of masses to 1e10, and bodies without mass.
 
 use super::*;
+use crate::dynamic::system_of;
 use crate::garage::rows;
 use crate::hard::case::Purpose;
 use crate::hard::naive::Naive;
-use ezy_core::prelude::{Backend, System};
+use ezy_core::prelude::Backend;
 use ezy_core::scalar::{DoubleDouble, Scalar};
 
 /// Of the reference: what elimination with one step of refinement keeps.
@@ -101,7 +102,7 @@ fn ratio(name: &str, how: How) -> Findings {
 /// Accelerations at the start against the same equations in numbers of twice the length.
 fn accelerations_at_start(subject: &Subject, how: How) -> Check {
     let scene = &*subject.scene;
-    let mut system = System::new(scene, Backend::Auto).expect("a scene that can be set up");
+    let mut system = system_of(scene, Backend::Auto).expect("a scene that can be set up");
     let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
     let (mut q, mut v) = (vec![0.0; n_q], vec![0.0; n_q]);
     for (i, (_, value)) in subject.given().iter().enumerate() {

@@ -1,11 +1,11 @@
 //! Rows that repeat others.
 
 use super::*;
+use crate::dynamic::simulation;
 use crate::garage::{load, rows};
 use crate::hard::case::Ended;
 use crate::parallel_cranks::judge::{Verdict, judge};
 use crate::parallel_cranks::members::{Member, members};
-use ezy_core::prelude::Simulation;
 use std::f64::consts::FRAC_PI_2;
 
 /// Of the reference.
@@ -146,7 +146,7 @@ fn five_cranks(name: &str, bound: f64, how: How) -> Findings {
 
 /// How far the redundant rows that a run reports at its start are from the true ones.
 fn redundant_rows(subject: &Subject, expected: f64) -> Check {
-    let run = Simulation::new(&*subject.scene).until(0.0).run();
+    let run = simulation(&*subject.scene).until(0.0).run();
     let reported =
         run.ok().map(|run| run.rank.intervals.first().and_then(|interval| interval.loss.n_redundant).unwrap_or(0));
     let away = reported.map_or(f64::NAN, |n| (n as f64 - expected).abs());

@@ -1,11 +1,11 @@
 //! Positions in which the rows lose rank on the way.
 
 use super::*;
+use crate::dynamic::simulation;
 use crate::garage::rows;
 use crate::hard::case::Ended;
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::Scene;
-use ezy_core::prelude::Simulation;
 use ezy_core::simulate::SetupError;
 use ezy_models::n_four_bar;
 use std::f64::consts::FRAC_PI_2;
@@ -108,7 +108,7 @@ fn snakeboard(how: How) -> Findings {
 fn stretched(how: How) -> Findings {
     let scene = n_four_bar::Fall { n: 3, ..Default::default() };
     let by = how.by(1e-4);
-    let order = Simulation::new(&scene).method(by.method).until(0.05).project_start();
+    let order = simulation(&scene).method(by.method).until(0.05).project_start();
     let begun = match order.start("crank[1].phi", -1.6).run() {
         Err(SetupError::Motion(MotionError::SingularPosition { .. })) => 0.0,
         _ => 1.0,

@@ -1,9 +1,10 @@
 //! Starts that do not fulfil the rows.
 
 use super::*;
+use crate::dynamic::{simulation, system_of};
 use ezy_core::dynamics::StartError;
 use ezy_core::model::{Scene, Start};
-use ezy_core::prelude::{Backend, Simulation, System};
+use ezy_core::prelude::{Backend, System};
 use ezy_core::simulate::SetupError;
 use ezy_models::{andrews, n_four_bar, pendulum};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -47,7 +48,7 @@ fn assembly(name: &str, why: &'static str, examine: fn() -> Findings) -> Case {
 fn velocities() -> Findings {
     let subject = subject("torture", "inconsistent_velocities");
     let scene = &*subject.scene;
-    let mut system = System::new(scene, Backend::Auto).expect("a scene that can be set up");
+    let mut system = system_of(scene, Backend::Auto).expect("a scene that can be set up");
     let mut start = Start::free(system.info().n_coordinates());
     for (i, (name, value)) in subject.given().iter().enumerate() {
         let body = name.rsplit_once('.').map_or("", |(body, _)| body);
@@ -63,8 +64,7 @@ fn velocities() -> Findings {
             .map(|(body, k)| of(body, k))
             .fold(0.0, worse)
     });
-    let held =
-        subject.given().into_iter().fold(Simulation::new(scene), |order, (name, value)| order.start(name, value));
+    let held = subject.given().into_iter().fold(simulation(scene), |order, (name, value)| order.start(name, value));
     let refused = matches!(held.until(0.0).run(), Err(SetupError::Start(StartError::Contradiction { .. })));
     let checks = vec![
         Check::new("velocities, m/s, rad/s", PROJECTED, error),
@@ -104,7 +104,7 @@ fn positions() -> Findings {
 /// Largest gap, largest change of a coordinate, and elbows that changed their side, when the scene's own start is moved
 /// and assembled anew.
 fn assembled_from_nearby(scene: &dyn Scene, elbows: &[Elbow]) -> [f64; 3] {
-    let mut system = System::new(scene, Backend::Auto).expect("a scene that can be set up");
+    let mut system = system_of(scene, Backend::Auto).expect("a scene that can be set up");
     let state = system.consistent_start(&system.scene_start()).expect("a consistent start");
     assembled(&mut system, scene, &state.q, elbows)
 }
@@ -113,7 +113,7 @@ fn assembled_from_nearby(scene: &dyn Scene, elbows: &[Elbow]) -> [f64; 3] {
 fn flat_linkage() -> f64 {
     let scene = n_four_bar::Fall::default();
     let scene: &dyn Scene = &scene;
-    let mut system = System::new(scene, Backend::Auto).expect("a scene that can be set up");
+    let mut system = system_of(scene, Backend::Auto).expect("a scene that can be set up");
     let centres = [0.5, 1.5, 2.5, 1.5, 2.5];
     let q: Vec<f64> = centres.into_iter().flat_map(|x| [x, 0.0, 0.0]).collect();
     assembled(&mut system, scene, &q, &[])[0]

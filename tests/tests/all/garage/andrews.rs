@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::andrews;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, load, number, rows, worse};
 
 /// Seventeen digits are printed; K has a condition of 1e6.
@@ -22,7 +23,7 @@ fn forces(s: Sample<'_>) -> [f64; 6] {
 fn reference_andrews_accelerations_and_multipliers_at_the_start() {
     let file = load("a03_andrews");
     let scene = andrews::Squeeze::default();
-    let run = Simulation::new(&scene).until(0.0).run().unwrap();
+    let run = simulation(&scene).until(0.0).run().unwrap();
     let a = angles(run.first().accelerations);
     for (k, name) in ["beta", "Theta", "gamma", "Phi", "delta", "Omega", "epsilon"].into_iter().enumerate() {
         let error = (a[k] - number(&file["initial_accelerations"][name])) / 14222.0;
@@ -50,7 +51,7 @@ fn reference_andrews_squeezes_for_fifty_milliseconds() {
     let file = load("a03_andrews");
     let table = rows(&file["trajectory"]["rows"]);
     let scene = andrews::Squeeze::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(5e-6)).work();
+    let order = || simulation(&scene).method(Method::rk4(5e-6)).work();
     at_times(order, 0.0025, table.iter().map(|row| row[0]), |i, s| {
         let (q, v) = (angles(s.coordinates), angles(s.velocities));
         let difference = |x: &[f64; 7], from: usize| (0..7).map(|k| x[k] - table[i][from + k]).fold(0.0, worse);

@@ -5,6 +5,7 @@ use ezy_core::dynamics::SystemError;
 use ezy_core::linalg::SparseKkt;
 use ezy_core::prelude::*;
 use ezy_models::{chain, double_pendulum, hanging_net};
+use ezy_tests::dynamic::{simulation, system_of};
 use ezy_tests::garage::{at_times, case, load, number, worse};
 
 /// Of the reference, times the amplification of errors that it states.
@@ -21,7 +22,7 @@ fn reference_chain_of_ten_rods() {
     let states = case(&file, "chain10")["states"].as_array().unwrap();
     let states: Vec<_> = states.iter().filter(|state| number(&state["t"]) <= 0.25).collect();
     let scene = unit_chain(10);
-    let order = || Simulation::new(&scene).method(Method::rk4(1e-4));
+    let order = || simulation(&scene).method(Method::rk4(1e-4));
     at_times(order, 0.25, states.iter().map(|state| number(&state["t"])), |i, s| {
         let state = states[i];
         let mut error = 0.0;
@@ -37,8 +38,8 @@ fn reference_chain_of_ten_rods() {
 #[test]
 fn cross_chain_of_two_is_the_double_pendulum() {
     let (loops, written_out) = (chain::Swing { n: 2, ..Default::default() }, double_pendulum::Swing::default());
-    let loops = Simulation::new(&loops).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
-    let written_out = Simulation::new(&written_out).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
+    let loops = simulation(&loops).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
+    let written_out = simulation(&written_out).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
     for (a, b) in loops.last().coordinates.iter().zip(written_out.last().coordinates) {
         // rounding of 500 steps
         assert!((a - b).abs() <= 1e-12, "{a} and {b}");
@@ -48,7 +49,7 @@ fn cross_chain_of_two_is_the_double_pendulum() {
 #[test]
 fn invariant_friction_takes_what_the_chain_loses() {
     let scene = chain::Settle { n: 4, ..Default::default() };
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).work().until(0.5).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).work().until(0.5).run().unwrap();
     let energy = run.last().energy;
     assert!(energy.work < -0.1 && energy.balance.abs() <= 1e-8, "{energy:?}");
 }
@@ -65,7 +66,7 @@ fn invariant_factors_of_the_chain_grow_with_its_length() {
 
 #[test]
 fn invariant_massless_rods_are_refused_where_only_the_sparse_backend_fits() {
-    let refused = System::new(&chain::Swing { n: 1_000, m: 0.0, ..Default::default() }, Backend::Auto).err();
+    let refused = system_of(&chain::Swing { n: 1_000, m: 0.0, ..Default::default() }, Backend::Auto).err();
     assert!(
         matches!(&refused, Some(SystemError::MasslessInLargeScene { body, .. }) if body == "link[0]"),
         "{refused:?}"
@@ -75,7 +76,7 @@ fn invariant_massless_rods_are_refused_where_only_the_sparse_backend_fits() {
 #[test]
 fn invariant_ten_thousand_rods_keep_their_constraints() {
     let scene = unit_chain(10_000);
-    let run = Simulation::new(&scene).method(Method::rk4(1e-6)).until(2e-6).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-6)).until(2e-6).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     let last = run.last();
     assert!(last.position_residual <= 1e-12 && last.velocity_residual <= 1e-12, "{:.1e}", last.position_residual);
@@ -87,7 +88,7 @@ fn invariant_ten_thousand_rods_keep_their_constraints() {
 #[test]
 fn invariant_net_keeps_its_energy_and_its_threads() {
     let scene = hanging_net::Swing { rows: 4, columns: 4, ..Default::default() };
-    let run = Simulation::new(&scene).work().method(Method::rk4(1e-3)).until(0.1).run().unwrap();
+    let run = simulation(&scene).work().method(Method::rk4(1e-3)).until(0.1).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     let last = run.last();
     assert!(last.position_residual <= 1e-12, "{:.1e}", last.position_residual);

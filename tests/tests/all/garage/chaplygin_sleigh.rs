@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::chaplygin_sleigh;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, at_times, case, load, number, rows, start_at, worse};
 
 /// RK4 at 1 ms with rates up to 1.5 rad/s leaves 1e-14 a second; bar of the reference: 1e-9.
@@ -21,7 +22,7 @@ fn analytic_sleigh_in_all_its_motions() {
         let mut scene = chaplygin_sleigh::Coast::default();
         (scene.m, scene.j, scene.a) = (parameter("m"), parameter("J"), parameter("a"));
         let table = rows(&case["rows"]);
-        let order = || start_at(Simulation::new(&scene).method(Method::rk4(1e-3)), &case["model"], SLEIGH);
+        let order = || start_at(simulation(&scene).method(Method::rk4(1e-3)), &case["model"], SLEIGH);
         at_times(order, 0.25, table.iter().map(|row| row[0]), |i, s| {
             let [t, v, omega, theta, x, y, knife] = table[i][..] else { panic!("seven columns") };
             let (q, u, a) = (s.coordinates, s.velocities, scene.a);
@@ -47,7 +48,7 @@ const ENERGY: f64 = 1e-12;
 #[test]
 fn invariant_sleigh_on_an_incline_keeps_its_energy() {
     let scene = chaplygin_sleigh::Downhill::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).work().every(0.5).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).work().every(0.5).run().unwrap();
     for s in run.samples() {
         assert!(s.energy.balance.abs() <= ENERGY, "{:.1e} J at {} s", s.energy.balance, s.t);
     }

@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::differential_robot;
+use ezy_tests::dynamic::simulation;
 
 /// RK4 at 10 ms on a circle that is run with at most 1 rad/s: (ωh)⁴/120 of a few radians.
 const CIRCLE: f64 = 1e-9;
@@ -19,7 +20,7 @@ fn analytic_robot_runs_a_circle_by_steady_torques() {
     let growth = (s.right_torque + s.left_torque) / (s.r * mass);
     let turning = s.w * (s.right_torque - s.left_torque) / (s.r * inertia);
     let radius = growth / turning;
-    let run = Simulation::new(&s).method(Method::rk4(1e-2)).every(0.5).run().unwrap();
+    let run = simulation(&s).method(Method::rk4(1e-2)).every(0.5).run().unwrap();
     for sample in run.samples() {
         let t = sample.t;
         let angle = turning * t * t / 2.0;
@@ -42,7 +43,7 @@ const STEADY: f64 = 1e-9;
 #[test]
 fn analytic_robot_settles_where_the_bearings_take_the_torques() {
     let s = differential_robot::Cruise::default();
-    let run = Simulation::new(&s).method(Method::rk4(1e-2)).run().unwrap();
+    let run = simulation(&s).method(Method::rk4(1e-2)).run().unwrap();
     let rates = [s.left_torque / s.c, s.right_torque / s.c];
     let v = run.last().velocities;
     for (rate, exact) in [(v[5], rates[0]), (v[8], rates[1]), (v[2], s.r * (rates[1] - rates[0]) / (2.0 * s.w))] {
@@ -53,7 +54,7 @@ fn analytic_robot_settles_where_the_bearings_take_the_torques() {
 #[test]
 fn analytic_robot_at_prescribed_speeds_needs_no_force_but_the_centripetal_one() {
     let s = differential_robot::Prescribed::default();
-    let run = Simulation::new(&s).method(Method::rk4(1e-2)).every(1.0).work().run().unwrap();
+    let run = simulation(&s).method(Method::rk4(1e-2)).every(1.0).work().run().unwrap();
     let speed = s.r * (s.left_rate + s.right_rate) / 2.0;
     let rate = s.r * (s.right_rate - s.left_rate) / (2.0 * s.w);
     let radius = speed / rate;

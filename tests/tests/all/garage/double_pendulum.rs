@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::double_pendulum;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, case, load, number, worse};
 
 /// Of the reference, times the amplification of errors that it states.
@@ -14,7 +15,7 @@ fn reference_double_pendulum_within_its_amplification() {
     let file = load("chain_pendulum");
     let states = case(&file, "double_1m")["states"].as_array().unwrap();
     let scene = double_pendulum::Swing::default();
-    let order = || Simulation::new(&scene).work().method(Method::rk4(2e-4));
+    let order = || simulation(&scene).work().method(Method::rk4(2e-4));
     at_times(order, 0.5, states.iter().map(|state| number(&state["t"])), |i, s| {
         let state = &states[i];
         let mut error = 0.0;
@@ -31,7 +32,7 @@ fn reference_double_pendulum_within_its_amplification() {
 #[test]
 fn analytic_double_pendulum_at_release() {
     let scene = double_pendulum::Swing::default();
-    let run = Simulation::new(&scene).until(0.0).run().unwrap();
+    let run = simulation(&scene).until(0.0).run().unwrap();
     let a = run.first().accelerations;
     // K of two hinges has a condition of 1e2
     for (value, exact) in [(a[2], -9.0 / 7.0 * 9.81), (a[5], 3.0 / 7.0 * 9.81)] {

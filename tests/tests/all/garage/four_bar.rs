@@ -3,6 +3,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::four_bar;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, load, rows, worse};
 
 /// Of the reference; each turn passes two positions in which the rows lose a rank.
@@ -16,7 +17,7 @@ fn analytic_parallelogram_turns_through_its_flat_positions() {
     let file = load("a02_n_four_bar");
     let table = rows(&file["cases"][0]["rows"]);
     let scene = four_bar::Turning::default();
-    let order = || Simulation::new(&scene).work().method(Method::rk4(1e-3));
+    let order = || simulation(&scene).work().method(Method::rk4(1e-3));
     at_times(order, 0.1, table.iter().map(|row| row[0]), |i, s| {
         let [t, _, rate, x, y, vx, vy] = table[i][..] else { panic!("seven columns") };
         let (q, v) = (s.coordinates, s.velocities);
@@ -36,7 +37,7 @@ fn analytic_parallelogram_at_steps_that_come_near_its_flat_positions() {
     let scene = four_bar::Turning::default();
     // the smaller the step, the nearer to flat positions some of them end: 1e-5 rad at 0.2 ms
     for step in [2e-3, 7e-4, 5e-4, 2e-4] {
-        let run = Simulation::new(&scene).method(Method::rk4(step)).run().unwrap();
+        let run = simulation(&scene).method(Method::rk4(step)).run().unwrap();
         let (q, end) = (run.last().coordinates, &table[table.len() - 1]);
         let error = crate::scenes::distance(&[2.0 * q[0], 2.0 * q[1]], &end[3..5]);
         assert!(error <= PIN, "{step} s: {error:.1e}");

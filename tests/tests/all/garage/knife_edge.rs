@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::knife_edge;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, at_times, load, number, rows, start_at, worse};
 
 /// RK4 at Ωh = 0.01 or below leaves (Ωh)⁴/120 of the way at a rate Ω, 2e3 rad on an arc of 1 m/Ω; bar of the reference.
@@ -21,7 +22,7 @@ fn analytic_knife_edge_on_its_cycloids() {
         (scene.g, scene.alpha) = (parameter("g"), parameter("incline_alpha"));
         let step = if parameter("Omega") > 10.0 { 1e-4 } else { 1e-3 };
         let table = rows(&case["rows"]);
-        let order = || start_at(Simulation::new(&scene).method(Method::rk4(step)), &case["model"], BLADE);
+        let order = || start_at(simulation(&scene).method(Method::rk4(step)), &case["model"], BLADE);
         at_times(order, 0.5, table.iter().map(|row| row[0]), |i, s| {
             let [t, v, phi, x, y, knife] = table[i][..] else { panic!("six columns") };
             let (sin, cos) = s.coordinates[2].sin_cos();

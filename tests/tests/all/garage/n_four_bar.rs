@@ -3,6 +3,7 @@
 use ezy_core::dynamics::RankLoss;
 use ezy_core::prelude::*;
 use ezy_models::n_four_bar;
+use ezy_tests::dynamic::{simulation, system_of};
 use ezy_tests::garage::{at_times, load, number, worse};
 
 /// RK4 at 1 ms over 0.5 s, for the top joint and its velocity of 3 m/s.
@@ -17,7 +18,7 @@ fn reference_linkages_of_one_to_forty_loops() {
         // long rows of linkages only at the beginning
         let rows = if n > 3 { &rows[..1] } else { &rows[..] };
         let scene = n_four_bar::Fall { n, ..Default::default() };
-        let order = || Simulation::new(&scene).method(Method::rk4(1e-3));
+        let order = || simulation(&scene).method(Method::rk4(1e-3));
         at_times(order, 0.1, rows.iter().map(|row| number(&row[0])), |i, s| {
             let phi = number(&rows[i][1]);
             let rate = number(&rows[i][2]);
@@ -34,7 +35,7 @@ fn reference_linkages_of_one_to_forty_loops() {
 /// Rows that depend on each other with every rod along the x axis, where the freedom is n + 1.
 fn flat(n: usize) -> RankLoss {
     let scene = n_four_bar::Fall { n, ..Default::default() };
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
     let mut q = vec![0.0; n_q];
     for body in 0..=2 * n {

@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::pendulum;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, case, load, number, rows, worse};
 
 /// RK4 at 1 ms: (ωh)⁴/120 of the phase of 60 rad that is travelled in 20 s, with ω up to 4.4 rad/s.
@@ -24,7 +25,7 @@ fn analytic_pendulum_without_inertia_on_both_sides() {
     let (swing, mirrored) = (pendulum::Swing::default(), pendulum::Mirrored::default());
     let scenes: [(&dyn Scene, f64); 2] = [(&swing, 1.0), (&mirrored, -1.0)];
     for (scene, side) in scenes {
-        let order = || Simulation::new(scene).method(Method::rk4(1e-3));
+        let order = || simulation(scene).method(Method::rk4(1e-3));
         at_times(order, 0.01, table.iter().map(|row| row[0]), |i, s| {
             let [t, x, y, vx, vy, tension] = table[i][..] else { panic!("six columns") };
             let differences =
@@ -48,7 +49,7 @@ fn analytic_fast_rotor_off_its_centre() {
     // hanging down; the file's angle is zero there
     let down = -std::f64::consts::FRAC_PI_2;
     let order = || {
-        let order = Simulation::new(&scene).method(Method::rk4(1e-6));
+        let order = simulation(&scene).method(Method::rk4(1e-6));
         order.start("bob.phi", down).start("bob.omega", number(&body["omega"]))
     };
     at_times(order, 1e-3, table.iter().map(|row| row[0]), |i, s| {
@@ -81,7 +82,7 @@ fn analytic_pendulum_knocks_against_a_post() {
     for method in
         [Method::rk4(5e-4), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)]
     {
-        let run = Simulation::new(&scene).method(method).work().run().unwrap();
+        let run = simulation(&scene).method(method).work().run().unwrap();
         let hits = run.events().iter().filter(|occurred| occurred.event.name == "post hits");
         let found: Vec<f64> = hits.map(|hit| hit.state.t).collect();
         assert_eq!(found.len(), expected.len(), "{found:?} by {}", method.name());

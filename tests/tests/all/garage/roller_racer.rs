@@ -3,6 +3,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::roller_racer;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, case, from_states, load, start_at};
 use ezy_tests::hard::subject::racer_geometry;
 use serde_json::Value;
@@ -27,7 +28,7 @@ fn differences(
     crate::scenes::set(scene, &racer_geometry(&case["model"]));
     crate::scenes::set(scene, more);
     let scene = &*scene;
-    let order = || start_at(Simulation::new(scene).method(Method::rk4(step_s)), &case["model"], names);
+    let order = || start_at(simulation(scene).method(Method::rk4(step_s)), &case["model"], names);
     from_states(order, every_s, &case["states"], names)
 }
 
@@ -51,7 +52,7 @@ fn reference_twistcar() {
 #[test]
 fn invariant_free_racer_keeps_its_energy() {
     let scene = roller_racer::Coast::default();
-    let run = Simulation::new(&scene).method(Method::rk4(5e-4)).every(0.5).work().run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(5e-4)).every(0.5).work().run().unwrap();
     for s in run.samples() {
         let error = s.energy.balance / s.energy.kinetic;
         assert!(error.abs() <= ENERGY, "{error:.1e} at {} s", s.t);
@@ -64,7 +65,7 @@ const ROLLING_OUT: f64 = 1e-10;
 #[test]
 fn analytic_racer_rolls_out_straight() {
     let scene = roller_racer::RollingOut { resistance: 1.0, ..Default::default() };
-    let order = Simulation::new(&scene).method(Method::rk4(1e-3)).until(1.1).every(0.1);
+    let order = simulation(&scene).method(Method::rk4(1e-3)).until(1.1).every(0.1);
     let run = order.start("seat.omega", 0.0).start("handle.phi", 0.0).run().unwrap();
     // (m1 + m2) v' = −2 f v/√(v² + u²): the sum √(v² + u²) + u ln(v/(u + √(v² + u²))) falls steadily
     let u = scene.knee;

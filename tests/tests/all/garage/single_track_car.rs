@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::single_track_car;
+use ezy_tests::dynamic::simulation;
 
 /// A steering angle so small that its square is rounding of the closed form, which is linear in it.
 const DELTA: f64 = 1e-5;
@@ -15,7 +16,7 @@ fn analytic_car_yaw_rate_by_understeer_gradient() {
         (car.lf, car.lr, car.u) = (lf, lr, u);
         let length = lf + lr;
         let understeer = car.m / length * (lr / car.cf - lf / car.cr);
-        let run = Simulation::new(&car).method(Method::rk4(5e-3)).until(20.0).run().unwrap();
+        let run = simulation(&car).method(Method::rk4(5e-3)).until(20.0).run().unwrap();
         let rate = u * DELTA / (length + understeer * u * u);
         let error = run.last().velocities[2] / rate - 1.0;
         assert!(error.abs() <= LINEAR, "{lf} m, {u} m/s: {error:.1e}");
@@ -31,7 +32,7 @@ const STEADY: f64 = 1e-9;
 #[test]
 fn analytic_car_side_forces_balance_at_the_limit_of_the_tyres() {
     let car = single_track_car::Limit { delta: 0.08, ..Default::default() };
-    let run = Simulation::new(&car).method(Method::rk4(5e-3)).until(60.0).run().unwrap();
+    let run = simulation(&car).method(Method::rk4(5e-3)).until(60.0).run().unwrap();
     let (q, v) = (run.last().coordinates, run.last().velocities);
     let (sin, cos) = q[2].sin_cos();
     let (along, across, rate) = (v[0] * cos + v[1] * sin, v[1] * cos - v[0] * sin, v[2]);

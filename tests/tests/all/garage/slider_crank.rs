@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::slider_crank;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, case, load, number, rows, start_at, worse};
 
 /// RK4 at 1 ms over 10 s of a motion with 1 rad/s: 1e-13; bar of the reference: 1e-8.
@@ -14,7 +15,7 @@ fn reference_slider_crank_with_strut() {
     let file = load("slider_crank_ida");
     let table = rows(&file["rows"]);
     let scene = slider_crank::Pushed::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(1e-3));
+    let order = || simulation(&scene).method(Method::rk4(1e-3));
     at_times(order, 0.25, table.iter().map(|row| row[0]), |i, s| {
         let [t, q, x, p, q_rate, x_rate, p_rate] = table[i][..] else { panic!("seven columns") };
         let (at, rate) = (s.coordinates, s.velocities);
@@ -41,7 +42,7 @@ fn reference_equal_lengths_pass_their_dead_points() {
     scene.l_centre = (0.5 + 2.0) / 3.0;
     scene.i2 = 1.0 / 12.0 + (scene.l_centre - 0.5_f64).powi(2) + 2.0 * (1.0 - scene.l_centre).powi(2);
     let order = || {
-        let order = start_at(Simulation::new(&scene).method(Method::rk4(1e-4)), &case["model"], &[("crank", "crank")]);
+        let order = start_at(simulation(&scene).method(Method::rk4(1e-4)), &case["model"], &[("crank", "crank")]);
         order.start("rod.phi", number(&bodies[1]["angle"])).start("rod.omega", number(&bodies[1]["omega"]))
     };
     let states = case["states"].as_array().unwrap();

@@ -3,6 +3,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::{skateboard, snakeboard};
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, case, from_states, load, start_at};
 use ezy_tests::hard::subject::gait;
 
@@ -19,7 +20,7 @@ fn reference_snakeboard_gaits() {
     for name in ["drive_gait", "rotate_gait"] {
         let case = case(&file, name);
         let scene = gait(&case["model"]);
-        let order = || start_at(Simulation::new(&scene).method(Method::rk4(STEP)), &case["model"], BOARD);
+        let order = || start_at(simulation(&scene).method(Method::rk4(STEP)), &case["model"], BOARD);
         let worst = from_states(order, 0.5, &case["states"], BOARD);
         assert!(worst[0] <= STATE && worst[1] <= STATE, "{name}: {worst:?}");
     }
@@ -30,7 +31,7 @@ fn reference_snakeboard_stroked_by_a_torque() {
     let file = load("snakeboard");
     let case = case(&file, "torque_driven");
     let scene = snakeboard::Stroked::default();
-    let order = || start_at(Simulation::new(&scene).method(Method::rk4(2.5e-3)), &case["model"], BOARD);
+    let order = || start_at(simulation(&scene).method(Method::rk4(2.5e-3)), &case["model"], BOARD);
     let worst = from_states(order, 0.5, &case["states"], BOARD);
     assert!(worst[0] <= STATE && worst[1] <= STATE, "{worst:?}");
 }
@@ -43,7 +44,7 @@ fn invariant_snakeboard_with_locked_steering_keeps_its_momentum() {
     let file = load("snakeboard");
     let case = case(&file, "locked_steering");
     let scene = gait(&case["model"]);
-    let order = start_at(Simulation::new(&scene).method(Method::rk4(5e-3)), &case["model"], BOARD);
+    let order = start_at(simulation(&scene).method(Method::rk4(5e-3)), &case["model"], BOARD);
     let run = order.until(5.0).every(0.5).run().unwrap();
     let slope = scene.front_offset.tan() / scene.r;
     let inertia = scene.j_board + scene.j_rotor + 2.0 * scene.j_truck;
@@ -67,7 +68,7 @@ const LIGHT_TRUCK: f64 = 1e-9;
 fn cross_snakeboard_with_trucks_of_a_microgram_each() {
     let ends = [0.0, 1e-9].map(|m_truck| {
         let scene = snakeboard::Serpentine { m_truck, ..Default::default() };
-        let run = Simulation::new(&scene).method(Method::rk4(STEP)).until(5.0).run().unwrap();
+        let run = simulation(&scene).method(Method::rk4(STEP)).until(5.0).run().unwrap();
         run.last().coordinates.to_vec()
     });
     let apart = crate::scenes::distance(&ends[0], &ends[1]);
@@ -87,7 +88,7 @@ fn inertias(s: &skateboard::Carved) -> [f64; 2] {
 fn analytic_skateboard_slows_down_where_it_turns() {
     let scene = skateboard::Carved { delta: 0.1, ..Default::default() };
     let [mass, inertia] = inertias(&scene);
-    let run = Simulation::new(&scene).method(Method::rk4(5e-3)).every(0.1).work().run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(5e-3)).every(0.1).work().run().unwrap();
     for s in run.samples() {
         let slope = |t: f64| (scene.delta + scene.swing * (scene.nu * t).sin()).tan() / scene.r;
         let energy = |slope: f64| mass + inertia * slope * slope;
@@ -100,7 +101,7 @@ fn analytic_skateboard_slows_down_where_it_turns() {
 #[test]
 fn analytic_skateboard_at_a_steady_lean_runs_a_circle() {
     let scene = skateboard::Carved { delta: 0.2, swing: 0.0, ..Default::default() };
-    let run = Simulation::new(&scene).method(Method::rk4(5e-3)).every(0.5).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(5e-3)).every(0.5).run().unwrap();
     let radius = scene.r / scene.delta.tan();
     for s in run.samples() {
         let (sin, cos) = (2.0 * s.t / radius).sin_cos();

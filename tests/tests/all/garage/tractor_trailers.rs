@@ -3,6 +3,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::{road_train, tractor_trailers};
+use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, case, from_states, load, number, start_at};
 
 /// Of the reference, for all states.
@@ -15,7 +16,7 @@ fn reference_train_with_locked_steering() {
     let file = load("car_trailers");
     let case = case(&file, "locked_circle");
     let scene = tractor_trailers::Locked::default();
-    let order = || start_at(Simulation::new(&scene).method(Method::rk4(2e-3)), &case["model"], TRAIN);
+    let order = || start_at(simulation(&scene).method(Method::rk4(2e-3)), &case["model"], TRAIN);
     let worst = from_states(order, 0.5, &case["states"], TRAIN);
     assert!(worst[0] <= STATE && worst[1] <= STATE, "{worst:?}");
 }
@@ -28,7 +29,7 @@ fn analytic_train_settles_on_concentric_circles() {
     let file = load("car_trailers");
     let radii = &case(&file, "locked_circle")["steady_radii"];
     let scene = tractor_trailers::Locked::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-2)).until(100.0).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-2)).until(100.0).run().unwrap();
     let (end, v) = (run.last(), run.last().velocities);
     assert!(run.outcome.reached_end());
     for (k, point) in ["A", "B", "C"].into_iter().enumerate() {
@@ -51,7 +52,7 @@ fn analytic_road_train_of_any_length_settles_on_concentric_circles() {
     let mut scene = road_train::Circling::default();
     for n in [1, 6] {
         scene.n = n;
-        let run = Simulation::new(&scene).method(Method::rk4(4e-2)).until(40.0).run().unwrap();
+        let run = simulation(&scene).method(Method::rk4(4e-2)).until(40.0).run().unwrap();
         assert!(run.outcome.reached_end(), "{n}: {}", run.outcome);
         let end = run.last();
         let rate = end.velocities[5];

@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::wheeled_snake;
+use ezy_tests::dynamic::simulation;
 use nalgebra::{Matrix3, Vector3};
 
 const N: usize = 10;
@@ -86,7 +87,7 @@ fn rates(s: &wheeled_snake::Crawling, t: f64, head: &[f64; 6]) -> [f64; 6] {
 fn cross_crawling_snake_against_three_coordinates() {
     let scene = wheeled_snake::Crawling::default();
     let (step, n_steps) = (5e-3, 400);
-    let run = Simulation::new(&scene).method(Method::rk4(step)).until(step * n_steps as f64).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(step)).until(step * n_steps as f64).run().unwrap();
     let (q, v) = (run.first().coordinates, run.first().velocities);
     let mut head = [q[0], q[1], q[2], v[0], v[1], v[2]];
     for k in 0..n_steps {
@@ -106,7 +107,7 @@ const MOMENTUM: f64 = 1e-9;
 #[test]
 fn invariant_floating_snake_has_no_momentum() {
     let scene = wheeled_snake::Floating::default();
-    let run = Simulation::new(&scene).method(Method::rk4(5e-3)).until(2.0).every(0.2).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(5e-3)).until(2.0).every(0.2).run().unwrap();
     for s in run.samples() {
         let mut momentum = [0.0; 3];
         for (q, v) in s.coordinates.chunks(3).zip(s.velocities.chunks(3)) {
@@ -124,7 +125,7 @@ const ENERGY: f64 = 1e-8;
 #[test]
 fn invariant_slithering_snake_moves_ahead_on_the_work_of_its_muscles() {
     let scene = wheeled_snake::Slithering::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(5.0).every(1.0).work().run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-3)).until(5.0).every(1.0).work().run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     for s in run.samples() {
         assert!(s.energy.balance.abs() <= ENERGY, "{:.1e} J at {} s", s.energy.balance, s.t);

@@ -7,6 +7,7 @@ mod symptoms;
 
 use ezy_core::prelude::*;
 use ezy_models::double_pendulum;
+use ezy_tests::dynamic::simulation;
 use ezy_tests::hard::block::difference;
 use ezy_tests::hard::naive::Naive;
 use ezy_tests::hard::subject::{Entry, SUBJECTS, subject};
@@ -31,7 +32,7 @@ fn cross_naive_program_is_rk4_without_projection() {
     const N: u32 = 200;
     let scene = double_pendulum::Swing::default();
     let h = 1e-3;
-    let order = Simulation::new(&scene).method(Method::rk4(h)).project(Projection::None);
+    let order = simulation(&scene).method(Method::rk4(h)).project(Projection::None);
     let run = order.until(f64::from(N) * h).run().unwrap();
     let mut naive = Naive::new(&scene, run.first().coordinates, run.first().velocities);
     for i in 0..N {

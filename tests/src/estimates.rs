@@ -1,11 +1,11 @@
 //! Estimates of the error of a run beside its true error.
 
-use crate::dynamic::simulation;
 use crate::garage::worse;
 use ezy_core::integrate::PreciseMotion;
 use ezy_core::model::Name;
 use ezy_core::prelude::*;
 use ezy_core::simulate::QuantityError;
+use ezy_core_tests::simulation;
 
 /// Intervals between samples.
 const N_INTERVALS: f64 = 100.0;

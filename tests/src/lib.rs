@@ -3,7 +3,6 @@
 pub mod count_table;
 pub mod crank;
 mod described;
-pub mod dynamic;
 pub mod estimates;
 pub mod fuzz;
 pub mod garage;

@@ -12,8 +12,8 @@ pub use super::reference::MARGIN;
 use super::reference::{
     ABOVE_REFERENCE, Amplification, MOVED, Motion, REFERENCE, Reference, amplification, late, motion, scale,
 };
-use crate::dynamic::{simulation, system_of};
 use crate::garage::worse;
+use ezy_core_tests::{simulation, system_of};
 
 /// Tolerances that methods are judged at; a random case draws two between the first and the last.
 const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];

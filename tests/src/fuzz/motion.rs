@@ -1,8 +1,8 @@
 //! A short run: it comes to its end with sound numbers, or says why not.
 
-use crate::dynamic::simulation;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::simulation;
 
 use super::draw::Draw;
 use super::tally::Verdict;

@@ -10,8 +10,8 @@ use super::accelerations;
 use super::draw::Draw;
 use super::motion::{self, Order};
 use super::tally::{Tally, Verdict};
-use crate::dynamic::system_of;
 use crate::{random_models, shapes};
+use ezy_core_tests::system_of;
 
 /// Most members of a scene, the product of its counts: beyond it the oracle, and a net at singular positions in a build without
 /// optimisation, are too slow.

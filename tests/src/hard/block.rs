@@ -1,10 +1,10 @@
 //! The `model` block of a reference, evaluated as it is written: a second derivation of rows and forces to hold a
 //! scene against, so that no number of a hand-written model is mistyped.
 
-use crate::dynamic::system_of;
 use crate::garage::{Names, list, number, number_or_zero, worse};
 use ezy_core::model::Scene;
 use ezy_core::prelude::Backend;
+use ezy_core_tests::system_of;
 use serde_json::Value;
 
 /// Random states at which a scene is compared.

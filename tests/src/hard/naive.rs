@@ -1,9 +1,9 @@
 //! What a first program does: RK4 with a fixed step on accelerations from a dense LU factorisation of K, without
 //! projection and without a look at the rank. It calls the kernels of the scene, so that only the method differs.
 
-use crate::dynamic::system_of;
 use ezy_core::model::Scene;
 use ezy_core::prelude::Backend;
+use ezy_core_tests::system_of;
 use nalgebra::{DMatrix, DVector};
 
 /// A scene in the hands of that program.

@@ -3,12 +3,12 @@
 use super::case::{Check, Ended, Findings, Program};
 use super::naive::Naive;
 use super::subject::Subject;
-use crate::dynamic::simulation;
 use crate::garage::worse;
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ExceededLimit, SetupError, StopReason};
+use ezy_core_tests::simulation;
 
 /// Recorded times this near to a reference's are the same, as a part of the whole run.
 const SAME_TIME: f64 = 1e-12;

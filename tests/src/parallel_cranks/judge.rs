@@ -2,12 +2,12 @@
 
 use super::members::Member;
 use super::pendulum::{Course, Swing};
-use crate::dynamic::simulation;
 use crate::garage::worse;
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
+use ezy_core_tests::simulation;
 
 /// What came of a run.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,9 +2,9 @@
 
 use ezy_core::accuracy::{Accuracy, AccuracyError, Ladder, Measured, PointResult, Variant, WorkPrecision};
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::registry::find;
 use ezy_models::{double_pendulum, ezy_roller};
-use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::load;
 
 /// Two references with 31 digits from starts that differ in the last bit, and their rounding to f64.

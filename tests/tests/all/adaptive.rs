@@ -3,8 +3,8 @@
 use crate::scenes::{Case, distance, driven};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
+use ezy_core_tests::simulation;
 use ezy_models::ezy_roller;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::load;
 
 model! {

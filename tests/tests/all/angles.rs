@@ -3,7 +3,7 @@
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
-use ezy_tests::dynamic::{simulation, system_of};
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// Two discs on an elastic shaft that turns at 30,000 rad/s.

@@ -4,9 +4,9 @@ use ezy_core::dynamics::{MovedValue, StartError};
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::mechanisms::{four_bar::four_bar, pendulum::pendulum};
 use ezy_models::registry::MODELS;
-use ezy_tests::dynamic::{simulation, system_of};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 
 ezy_core::model! {

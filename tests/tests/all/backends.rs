@@ -2,7 +2,7 @@
 
 use crate::scenes::{Case, all, distance};
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 
 /// Rounding of 1e3 steps, amplified by at most 10.
 const SAME_MOTION: f64 = 1e-12;

@@ -2,7 +2,7 @@
 
 use crate::scenes::assert_checks;
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 
 model! {
     /// A stiff, long spring that is hardly stretched.

@@ -2,8 +2,8 @@
 
 use ezy_core::model::EventKind;
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::{ezy_roller, skateboard};
-use ezy_tests::dynamic::simulation;
 
 model! {
     /// A block of 1 kg on a spring of 1 N/m, against a second spring of 3 N/m on its right, or with dry friction.

@@ -3,8 +3,8 @@
 use crate::scenes::{distance, stepped};
 use ezy_core::prelude::*;
 use ezy_core::testing::StepsBy;
+use ezy_core_tests::simulation;
 use ezy_models::{ezy_roller, roller_racer, skateboard};
-use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::load;
 
 /// Steps for the order: above them the motion is not resolved, below them rounding is met.

@@ -2,8 +2,8 @@
 
 use crate::scenes::{assert_checks, distance};
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_tests::crank::{self, Crank};
-use ezy_tests::dynamic::simulation;
 
 model! {
     /// A crank whose angle is prescribed, in a field of gravity or without.

@@ -2,8 +2,8 @@
 
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::{chain, ezy_roller};
-use ezy_tests::dynamic::{simulation, system_of};
 
 /// Rounding of 5000 steps of the driven roller, whose sensitivity is 50 after 5 s; sines differ in their last bit.
 const ROUNDING: f64 = 2e-12;

@@ -2,8 +2,8 @@
 
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ErrorEstimate, SetupError};
+use ezy_core_tests::simulation;
 use ezy_models::{double_pendulum, ezy_roller, pendulum, skateboard, tractor_trailers, wheeled_snake};
-use ezy_tests::dynamic::simulation;
 use ezy_tests::estimates::{Question, Reference};
 use std::sync::atomic::AtomicBool;
 

@@ -1,8 +1,8 @@
 //! Events: found, located, and harmless.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::pendulum;
-use ezy_tests::dynamic::simulation;
 
 /// Events are located to 1e-12 s; the value that is located carries rounding of 1e-15 m or rad at speeds around one.
 const LOCATED_S: f64 = 2e-12;

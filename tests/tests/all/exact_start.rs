@@ -1,7 +1,7 @@
 //! Exact rational values at the start, by hand.
 
 use crate::scenes::{Case, coast, distance, driven};
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 
 /// A dozen roundings of numbers up to ten.
 const ROUNDING: f64 = 1e-13;

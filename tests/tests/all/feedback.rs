@@ -1,8 +1,8 @@
 //! Which coordinates accelerations depend on.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::system_of;
 use ezy_models::registry::MODELS;
-use ezy_tests::dynamic::system_of;
 
 /// Accelerations and multipliers at a state, to the last bit.
 fn solution(system: &mut System<&dyn Scene>, t: f64, q: &[f64], v: &[f64]) -> Vec<u64> {

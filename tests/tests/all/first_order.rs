@@ -1,8 +1,8 @@
 //! First-order states in scenes of the garage: currents of motors, tyres with a relaxation length, the integral of a controller.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::{differential_robot, single_track_car, tractor_trailers};
-use ezy_tests::dynamic::simulation;
 
 /// Methods that integrate first-order states, and what they leave of the numbers below.
 fn methods(step_s: f64) -> [(Method, f64); 4] {

@@ -5,9 +5,9 @@ use std::time::UNIX_EPOCH;
 
 use ezy_core::prelude::Method;
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::simulation;
 use ezy_models::registry::MODELS;
 use ezy_models::tractor_trailers;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::fuzz::estimates::{Estimated, SMALLEST, estimated};
 use ezy_tests::fuzz::methods::{Case, Judgement, Told};
 use ezy_tests::fuzz::{Scenes, Tally, Verdict, compare, trial};

@@ -1,8 +1,8 @@
 //! Collocation at Gauss's nodes where its long steps could pass something over.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::{ezy_roller, four_bar, roller_racer};
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::worse;
 
 /// Samples of a run.

@@ -5,7 +5,7 @@ use ezy_core::dynamics::{MotionError, SystemError};
 use ezy_core::linalg::{KktFactorization, SparseKkt};
 use ezy_core::model::{LayoutFault, Start};
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::{simulation, system_of};
+use ezy_core_tests::{simulation, system_of};
 use std::sync::Arc;
 
 model! {

@@ -4,7 +4,7 @@
 #![allow(non_snake_case)]
 
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::system_of;
+use ezy_core_tests::system_of;
 use ezy_tests::hard::models::five_cranks;
 use ezy_tests::parallel_cranks::judge::{Verdict, judge};
 use ezy_tests::parallel_cranks::members::{Member, members};

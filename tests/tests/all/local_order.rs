@@ -3,8 +3,8 @@
 use crate::scenes::distance;
 use ezy_core::prelude::*;
 use ezy_core::testing::{GivenSteps, StepsBy};
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::registry::MODELS;
-use ezy_tests::dynamic::{simulation, system_of};
 
 /// Order of the series that tells where a step should lead; two fifths of its radius leave nothing to see.
 const ORACLE: usize = 40;

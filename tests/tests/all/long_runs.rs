@@ -1,8 +1,8 @@
 //! Motions that go on for long, and fast ones: what would add up from step to step does not.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::pendulum;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{load, rows};
 
 /// The projection's promise, whatever the angle.

@@ -4,7 +4,7 @@ use crate::scenes::{Case, coast, distance, driven, rk4, set};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 use std::f64::consts::PI;
 
 const HORIZON: f64 = 5.0;

@@ -1,7 +1,7 @@
 //! Links that are mere distances: massless, without inertia, between bodies that have both.
 
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 
 ezy_core::model! {
     /// `massless_coupler` of `torture.json`.

@@ -4,8 +4,8 @@ use crate::scenes::{Case, coast, driven, set};
 use ezy_core::dynamics::{MotionError, StrainSource};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ExceededLimit, StopReason};
+use ezy_core_tests::simulation;
 use ezy_models::{double_pendulum, four_bar, knife_edge, pendulum, wheeled_snake};
-use ezy_tests::dynamic::simulation;
 use ezy_tests::hard::subject::subject;
 
 model! {

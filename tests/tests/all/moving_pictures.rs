@@ -2,9 +2,9 @@
 
 use ezy_core::prelude::*;
 use ezy_core::report::drawing::{Drawing, Elements, Film, Placed};
+use ezy_core_tests::simulation;
 use ezy_models::ezy_roller::Driven;
 use ezy_models::pendulum::Swing;
-use ezy_tests::dynamic::simulation;
 
 const WIDTH: u32 = 300;
 const N_FRAMES: usize = 8;

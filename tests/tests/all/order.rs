@@ -2,8 +2,8 @@
 
 use crate::scenes::{Case, coast, distance, driven};
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::registry::MODELS;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::reference::load;
 use ezy_tests::shapes;
 

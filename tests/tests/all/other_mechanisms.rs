@@ -3,8 +3,8 @@
 use crate::large::chain;
 use crate::scenes::{Case, assert_checks, coast, distance, set};
 use ezy_core::prelude::*;
+use ezy_core_tests::{simulation, system_of};
 use ezy_tests::crank::{self, Crank};
-use ezy_tests::dynamic::{simulation, system_of};
 
 /// Rounding times the condition of K, which for chains grows with the square of their length.
 const ROUNDING: f64 = 1e-14;

@@ -2,7 +2,7 @@
 
 use crate::scenes::{assert_checks, distance};
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::system_of;
+use ezy_core_tests::system_of;
 use ezy_tests::piloted::piloted;
 
 /// Products of a handful of numbers up to a thousand.

@@ -4,9 +4,9 @@ use ezy_core::dynamics::MotionError;
 use ezy_core::integrate::{PreciseError, PreciseMotion};
 use ezy_core::prelude::*;
 use ezy_core::scalar::{DoubleDouble, Scalar};
+use ezy_core_tests::system_of;
 use ezy_models::ezy_roller;
 use ezy_tests::crank::Crank;
-use ezy_tests::dynamic::system_of;
 use ezy_tests::reference::{decimal, load_precise};
 
 ezy_core::model! {

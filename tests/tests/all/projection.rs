@@ -2,7 +2,7 @@
 
 use crate::scenes::{Case, all, distance, driven};
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::{simulation, system_of};
+use ezy_core_tests::{simulation, system_of};
 
 /// What the projection promises.
 const POSITION_RESIDUAL: f64 = 1e-12;

@@ -4,8 +4,8 @@ use crate::scenes::{distance, stepped};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{Cost, SetupError};
 use ezy_core::testing::StepsBy;
+use ezy_core_tests::simulation;
 use ezy_models::{chain, double_pendulum, ezy_roller, four_bar, road_train, roller_racer, single_track_car};
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{case, load, rows, worse};
 use ezy_tests::hand_roller::HandRoller;
 

@@ -4,7 +4,7 @@ use crate::scenes::{Case, coast, set};
 use ezy_core::dynamics::RankLoss;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
-use ezy_tests::dynamic::{simulation, system_of};
+use ezy_core_tests::{simulation, system_of};
 
 const BACKENDS: [Backend; 3] = [Backend::Generated, Backend::Dense, Backend::Sparse];
 

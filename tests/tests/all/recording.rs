@@ -4,7 +4,7 @@ use crate::scenes::{Case, all, distance, driven};
 use ezy_core::prelude::*;
 use ezy_core::record::columns;
 use ezy_core::simulate::SetupError;
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 use ezy_tests::reference::load;
 use std::io::Write;
 

@@ -7,7 +7,7 @@ use ezy_core::dynamics::MotionError;
 use ezy_core::model;
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::{simulation, system_of};
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// A cart on one axle with two wheels, beside the same with one.

@@ -4,7 +4,7 @@ use crate::scenes::assert_checks;
 use ezy_core::dynamics::SystemError;
 use ezy_core::model::LayoutFault;
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::{simulation, system_of};
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// A hub with spokes, a train of carts behind it, sledges on a grid.

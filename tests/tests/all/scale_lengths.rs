@@ -1,10 +1,10 @@
 //! The same mechanism from micrometres to a thousand kilometres, from micrograms to kilotons.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::mechanisms::four_bar::four_bar;
 use ezy_models::mechanisms::pendulum::pendulum::Swing;
 use ezy_models::registry::MODELS;
-use ezy_tests::dynamic::{simulation, system_of};
 
 /// The four-bar with all lengths, and gravity with them, and all masses in other units: angles move alike.
 fn scaled(length: f64, mass: f64) -> four_bar::Turning {

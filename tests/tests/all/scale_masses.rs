@@ -2,7 +2,7 @@
 //! motion is in the hard cases `mass_ratio_…`.
 
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::system_of;
+use ezy_core_tests::system_of;
 
 ezy_core::model! {
     /// Two uniform rods of 1 m under a bearing.

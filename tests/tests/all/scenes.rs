@@ -3,8 +3,8 @@
 use ezy_core::model::Scene;
 use ezy_core::prelude::{Backend, State};
 use ezy_core::testing::{GivenSteps, StepsBy, check_scene};
+use ezy_core_tests::system_of;
 use ezy_models::ezy_roller;
-use ezy_tests::dynamic::system_of;
 pub use ezy_tests::garage::set;
 use ezy_tests::hand_roller::HandRoller;
 

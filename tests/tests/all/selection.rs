@@ -2,8 +2,8 @@
 
 use ezy_core::integrate::Method;
 use ezy_core::model::{Operations, Scene, SceneInfo};
+use ezy_core_tests::simulation;
 use ezy_models::ezy_roller;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::page::{docs, part, write_part};
 use ezy_tests::piloted::{piloted, unpiloted};
 use ezy_tests::plain_rollers::{coasting, drifting, pumped};

@@ -3,8 +3,8 @@
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, Tangent};
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::ezy_roller::Driven;
-use ezy_tests::dynamic::{simulation, system_of};
 
 const METHOD: Method = Method::dop853(1e-12);
 

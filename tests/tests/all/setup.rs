@@ -4,7 +4,7 @@ use crate::scenes::{Case, driven, set};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 
 fn message(change: impl for<'s> Fn(Simulation<'s, &'s dyn Scene>) -> Simulation<'s, &'s dyn Scene>) -> String {
     let case = driven().remove(0);

@@ -3,8 +3,8 @@
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::simulation;
 use ezy_models::n_four_bar;
-use ezy_tests::dynamic::simulation;
 
 const METHODS: [fn() -> Method; 8] = [
     || Method::rk4(1e-3),

@@ -1,8 +1,8 @@
 //! Mechanisms that pass positions where their rows lose rank, and go on as they came.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::{four_bar, n_four_bar};
-use ezy_tests::dynamic::simulation;
 use std::f64::consts::PI;
 
 model! {

@@ -1,7 +1,7 @@
 //! Reference cases with singular positions by the methods that choose their steps; the page of hard cases has RK4.
 
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 use ezy_tests::garage::{list, number, rows};
 use ezy_tests::hard::subject::{Subject, subject};
 

@@ -4,7 +4,7 @@ use ezy_core::dynamics::Projection;
 use ezy_core::linalg::Backend;
 use ezy_core::prelude::*;
 use ezy_core::testing::check_scene;
-use ezy_tests::dynamic::{simulation, system_of};
+use ezy_core_tests::{simulation, system_of};
 use ezy_tests::top::{MASS, Top, attitude};
 use serde_json::Value;
 

@@ -5,8 +5,8 @@ use ezy_core::dynamics::StartError;
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::mechanisms::{chain::chain, slider_crank::slider_crank};
-use ezy_tests::dynamic::{simulation, system_of};
 use ezy_tests::shapes::{circling, four_bar, tethered};
 
 /// What the assembly promises.

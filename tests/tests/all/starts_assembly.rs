@@ -2,11 +2,11 @@
 
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
+use ezy_core_tests::system_of;
 use ezy_models::mechanisms::pendulum::pendulum;
 use ezy_models::mechanisms::{
     andrews::andrews, four_bar::four_bar, n_four_bar::n_four_bar, slider_crank::slider_crank,
 };
-use ezy_tests::dynamic::system_of;
 use std::f64::consts::PI;
 
 /// What an assembly of bodies of size one leaves of a hinge, m.

@@ -4,8 +4,8 @@ use crate::massless_links::pure_coupler;
 use ezy_core::dynamics::StartError;
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::mechanisms::{four_bar::four_bar, n_four_bar::n_four_bar};
-use ezy_tests::dynamic::{simulation, system_of};
 
 ezy_core::model! {
     /// Three equal cranks under one coupler: a row too many, at every position.

@@ -4,7 +4,7 @@ use crate::scenes::{assert_checks, distance};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason, read_inputs};
-use ezy_tests::dynamic::{simulation, system_of};
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// A pendulum on an arm that a motor turns: as a controller says, or as a function of time does.

@@ -3,8 +3,8 @@
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
+use ezy_core_tests::simulation;
 use ezy_models::ezy_roller;
-use ezy_tests::dynamic::simulation;
 
 /// Changes are located to 1e-12 s; the value that is located carries rounding of 1e-15 m/s or N at slopes around one, and where
 /// a slide ends its start counts, too.

@@ -3,7 +3,7 @@
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{Cost, Monitors, SetupError, SoftestImpact, StopReason};
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 use nalgebra::{DMatrix, DVector};
 
 /// Landings are located to 1e-12 s, and each bounce goes on from the last one; methods keep to 1e-12.

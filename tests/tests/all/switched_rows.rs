@@ -1,7 +1,7 @@
 //! Scenes in which several rows are switched: skates with limits, and a stop.
 
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 
 /// Changes are located to 1e-12 s; the value that is located carries rounding of 1e-15 m/s or N at slopes around one, and where
 /// a slide ends its start counts, too.

@@ -2,7 +2,7 @@
 
 use crate::scenes::{Case, coast, distance, driven, set};
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 use std::f64::consts::PI;
 
 /// Both runs do the same steps; only rounding differs, amplified by at most 20 within five seconds.

@@ -4,10 +4,10 @@ use crate::scenes::{distance, set, stepped};
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_core::testing::StepsBy;
+use ezy_core_tests::simulation;
 use ezy_models::registry::MODELS;
 use ezy_models::{andrews, differential_robot, double_pendulum, ezy_roller, roller_racer};
 use ezy_tests::crank::Crank;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::hand_roller::HandRoller;
 use ezy_tests::reference::load;
 

@@ -126,7 +126,7 @@ fn invariant_thresholds_stand_in_one_place_a_layer() {
 /// Names of the functions that are tests.
 fn tests() -> BTreeSet<String> {
     let mut found = BTreeSet::new();
-    for folder in ["tests/tests", "ezy-core/src", "ezy-core/tests/motion"] {
+    for folder in ["tests/tests", "ezy-core/src", "tests/core/tests/motion"] {
         for file in sources(&root().join(folder)) {
             let text = fs::read_to_string(file).unwrap();
             let functions = text.split("#[test]\n").skip(1).filter_map(|rest| rest.trim_start().strip_prefix("fn "));

@@ -2,7 +2,7 @@
 
 use crate::scenes::{Case, coast, distance, driven, set};
 use ezy_core::prelude::*;
-use ezy_tests::dynamic::simulation;
+use ezy_core_tests::simulation;
 use ezy_tests::reference::{ReferenceSample, load};
 
 /// RK4 at 0.1 ms over 1 s: the method leaves 1e-16, rounding of 1e4 steps less than 1e-12.

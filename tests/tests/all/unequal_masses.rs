@@ -1,8 +1,8 @@
 //! Closed loops of bodies whose masses are far apart: small pivots everywhere, and no position that is singular.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::four_bar;
-use ezy_tests::dynamic::simulation;
 use std::f64::consts::FRAC_PI_2;
 
 /// What a start is moved by, rad and rad/s: well above the tolerance of the reference.

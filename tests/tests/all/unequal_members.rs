@@ -6,7 +6,7 @@ use ezy_core::model::Equations;
 use ezy_core::prelude::*;
 use ezy_core::report::drawing::Elements;
 use ezy_core::scalar::{DoubleDouble, Dual, Scalar};
-use ezy_tests::dynamic::{simulation, system_of};
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// A chain that becomes thinner: link i has the part 1 - i/(2 n) of the length and of the mass of the first one.

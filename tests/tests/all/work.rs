@@ -2,8 +2,8 @@
 
 use crate::scenes::{Case, coast, driven};
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_tests::crank::Crank;
-use ezy_tests::dynamic::simulation;
 use std::sync::atomic::Ordering::Relaxed;
 
 /// RK4 at 10 ms over 60 s: 7.4e-8 J by the order of the method.

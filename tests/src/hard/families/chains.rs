@@ -1,8 +1,8 @@
 //! Chains of rods, up to a hundred thousand.
 
 use super::*;
-use crate::dynamic::simulation;
 use ezy_core::prelude::Method;
+use ezy_core_tests::simulation;
 use ezy_models::chain;
 
 /// Of the reference, over the amplification of errors that it states.

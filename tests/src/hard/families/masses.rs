@@ -1,12 +1,12 @@
 //! Ratios of masses to 1e10, and bodies without mass.
 
 use super::*;
-use crate::dynamic::system_of;
 use crate::garage::rows;
 use crate::hard::case::Purpose;
 use crate::hard::naive::Naive;
 use ezy_core::prelude::Backend;
 use ezy_core::scalar::{DoubleDouble, Scalar};
+use ezy_core_tests::system_of;
 
 /// Of the reference: what elimination with one step of refinement keeps.
 const ANGLE: f64 = 1e-8;

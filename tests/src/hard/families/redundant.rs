@@ -1,11 +1,11 @@
 //! Rows that repeat others.
 
 use super::*;
-use crate::dynamic::simulation;
 use crate::garage::{load, rows};
 use crate::hard::case::Ended;
 use crate::parallel_cranks::judge::{Verdict, judge};
 use crate::parallel_cranks::members::{Member, members};
+use ezy_core_tests::simulation;
 use std::f64::consts::FRAC_PI_2;
 
 /// Of the reference.

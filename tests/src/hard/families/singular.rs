@@ -1,12 +1,12 @@
 //! Positions in which the rows lose rank on the way.
 
 use super::*;
-use crate::dynamic::simulation;
 use crate::garage::rows;
 use crate::hard::case::Ended;
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::Scene;
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::simulation;
 use ezy_models::n_four_bar;
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,11 +1,11 @@
 //! Starts that do not fulfil the rows.
 
 use super::*;
-use crate::dynamic::{simulation, system_of};
 use ezy_core::dynamics::StartError;
 use ezy_core::model::{Scene, Start};
 use ezy_core::prelude::{Backend, System};
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::{andrews, n_four_bar, pendulum};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;

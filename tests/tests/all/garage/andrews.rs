@@ -1,8 +1,8 @@
 //! Andrews' squeezing mechanism against its reference.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::andrews;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, load, number, rows, worse};
 
 /// Seventeen digits are printed; K has a condition of 1e6.

@@ -4,8 +4,8 @@
 use ezy_core::dynamics::SystemError;
 use ezy_core::linalg::SparseKkt;
 use ezy_core::prelude::*;
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::{chain, double_pendulum, hanging_net};
-use ezy_tests::dynamic::{simulation, system_of};
 use ezy_tests::garage::{at_times, case, load, number, worse};
 
 /// Of the reference, times the amplification of errors that it states.

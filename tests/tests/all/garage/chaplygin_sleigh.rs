@@ -1,8 +1,8 @@
 //! The Chaplygin sleigh against its closed form.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::chaplygin_sleigh;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, at_times, case, load, number, rows, start_at, worse};
 
 /// RK4 at 1 ms with rates up to 1.5 rad/s leaves 1e-14 a second; bar of the reference: 1e-9.

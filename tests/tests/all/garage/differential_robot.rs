@@ -1,8 +1,8 @@
 //! The differential-drive robot against closed forms.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::differential_robot;
-use ezy_tests::dynamic::simulation;
 
 /// RK4 at 10 ms on a circle that is run with at most 1 rad/s: (ωh)⁴/120 of a few radians.
 const CIRCLE: f64 = 1e-9;

@@ -1,8 +1,8 @@
 //! The double pendulum against a reference and at its release. Over ten powers of mass: the hard cases `mass_ratio_…`.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::double_pendulum;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, case, load, number, worse};
 
 /// Of the reference, times the amplification of errors that it states.

@@ -2,8 +2,8 @@
 //! `massless_coupler`.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::four_bar;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, load, rows, worse};
 
 /// Of the reference; each turn passes two positions in which the rows lose a rank.

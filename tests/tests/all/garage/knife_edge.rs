@@ -1,8 +1,8 @@
 //! The knife edge against its closed form.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::knife_edge;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, at_times, load, number, rows, start_at, worse};
 
 /// RK4 at Ωh = 0.01 or below leaves (Ωh)⁴/120 of the way at a rate Ω, 2e3 rad on an arc of 1 m/Ω; bar of the reference.

@@ -2,8 +2,8 @@
 
 use ezy_core::dynamics::RankLoss;
 use ezy_core::prelude::*;
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::n_four_bar;
-use ezy_tests::dynamic::{simulation, system_of};
 use ezy_tests::garage::{at_times, load, number, worse};
 
 /// RK4 at 1 ms over 0.5 s, for the top joint and its velocity of 3 m/s.

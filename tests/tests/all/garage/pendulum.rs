@@ -1,8 +1,8 @@
 //! The pendulum against elliptic functions.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::pendulum;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, case, load, number, rows, worse};
 
 /// RK4 at 1 ms: (ωh)⁴/120 of the phase of 60 rad that is travelled in 20 s, with ω up to 4.4 rad/s.

@@ -2,8 +2,8 @@
 //! trailer: the hard cases `roller_racer, free_racer`, `caster_trail_…` and `heavy_tractor_tractrix`.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::roller_racer;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, case, from_states, load, start_at};
 use ezy_tests::hard::subject::racer_geometry;
 use serde_json::Value;

@@ -1,8 +1,8 @@
 //! The single-track car against the closed form of steady cornering.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::single_track_car;
-use ezy_tests::dynamic::simulation;
 
 /// A steering angle so small that its square is rounding of the closed form, which is linear in it.
 const DELTA: f64 = 1e-5;

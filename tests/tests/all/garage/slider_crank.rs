@@ -1,8 +1,8 @@
 //! The slider-crank against references.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::slider_crank;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{at_times, case, load, number, rows, start_at, worse};
 
 /// RK4 at 1 ms over 10 s of a motion with 1 rad/s: 1e-13; bar of the reference: 1e-8.

@@ -2,8 +2,8 @@
 //! through a right angle: the hard cases `snakeboard, locked_steering` and `snakeboard_through_90deg`.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::{skateboard, snakeboard};
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, case, from_states, load, start_at};
 use ezy_tests::hard::subject::gait;
 

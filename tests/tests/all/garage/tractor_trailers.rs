@@ -2,8 +2,8 @@
 //! `car_trailers, driven_slalom`.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::{road_train, tractor_trailers};
-use ezy_tests::dynamic::simulation;
 use ezy_tests::garage::{Names, case, from_states, load, number, start_at};
 
 /// Of the reference, for all states.

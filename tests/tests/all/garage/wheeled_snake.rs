@@ -1,8 +1,8 @@
 //! The wheeled snake against momenta and against its equations in three coordinates.
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::wheeled_snake;
-use ezy_tests::dynamic::simulation;
 use nalgebra::{Matrix3, Vector3};
 
 const N: usize = 10;

@@ -6,8 +6,8 @@ mod page;
 mod symptoms;
 
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 use ezy_models::double_pendulum;
-use ezy_tests::dynamic::simulation;
 use ezy_tests::hard::block::difference;
 use ezy_tests::hard::naive::Naive;
 use ezy_tests::hard::subject::{Entry, SUBJECTS, subject};

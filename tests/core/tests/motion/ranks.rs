@@ -5,10 +5,10 @@
 
 use super::redundant::{cranks, two_belts};
 use super::singular::parallelogram;
-use crate::{simulation, system_of};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// Blocks that two rows each hold at the same place, and that are pushed.

@@ -3,8 +3,8 @@
 // the rope is a velocity constraint on purpose, so that every kind of row is solved for
 #![allow(deprecated)]
 
-use crate::{simulation, system_of};
 use ezy_core::prelude::*;
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// A block that hangs from a wheel by a rope: the rope is a velocity constraint.

@@ -1,7 +1,7 @@
 //! Laws that are not smooth, and works of forces.
 
-use crate::simulation;
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 
 model! {
     /// A ball that flies against a spring, which pushes and does not pull.

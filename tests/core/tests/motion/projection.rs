@@ -2,9 +2,9 @@
 
 use super::accelerations::hoist;
 use super::singular::parallelogram;
-use crate::{simulation, system_of};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// Two rods, the second on a runner.

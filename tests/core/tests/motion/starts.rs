@@ -1,9 +1,9 @@
 //! Starts: what is given stays, what is free moves as little as possible, and what cannot be met is named.
 
-use crate::system_of;
 use ezy_core::dynamics::StartError;
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
+use ezy_core_tests::system_of;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 model! {

@@ -1,10 +1,10 @@
 //! Near values that lead into another assembly mode: refused, with what was asked for and what was reached.
 
 use super::starts::{four_bar, two_bars};
-use crate::system_of;
 use ezy_core::dynamics::{MovedValue, StartError};
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
+use ezy_core_tests::system_of;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 
 model! {

@@ -1,4 +1,7 @@
-//! Runs and systems of any scene: through `dyn Scene`, so that the solver is compiled once and not for each of a hundred types.
+//! What the tests of `ezy-core` in this package, and those of all packages, share: runs and systems of any scene, through `dyn Scene`, so that
+//! the solver is compiled once and not for each of a hundred types.
+//!
+//! They are a package of their own, since all of a package is optimised alike: the solver is worth it, and tests are not.
 
 use ezy_core::dynamics::SystemError;
 use ezy_core::linalg::Backend;

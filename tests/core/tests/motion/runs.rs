@@ -1,8 +1,8 @@
 //! How a run is asked for: inputs, samples, limits, and a caller who steps.
 
-use crate::simulation;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ExceededLimit, StopReason};
+use ezy_core_tests::simulation;
 
 model! {
     /// A cart that is pushed.

@@ -1,7 +1,7 @@
 //! The energy balance of a run.
 
-use crate::simulation;
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 
 model! {
     /// A puck that is driven by one force and held back by another: nearly all the work of one is taken out by the other.

@@ -1,8 +1,8 @@
 //! Inputs that change while a scene runs.
 
-use crate::simulation;
 use ezy_core::prelude::*;
 use ezy_core::simulate::InputTable;
+use ezy_core_tests::simulation;
 
 model! {
     /// A cart that follows an input, and a sled that is pulled across its runner by another one.

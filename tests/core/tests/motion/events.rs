@@ -1,7 +1,7 @@
 //! Events.
 
-use crate::simulation;
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 
 model! {
     /// A pendulum that passes its lowest position.

@@ -3,10 +3,10 @@
 // that rows repeat others is what the compiler warns of
 #![allow(deprecated)]
 
-use crate::simulation;
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::StopReason;
+use ezy_core_tests::simulation;
 
 model! {
     /// A stone that falls between two belts, which carry it along at two points of the same height.

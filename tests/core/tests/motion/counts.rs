@@ -1,9 +1,9 @@
 //! Scenes with counts beside the same mechanism written out, with and without the feature `sparse`.
 
 use super::starts::chain;
-use crate::{simulation, system_of};
 use ezy_core::dynamics::SystemError;
 use ezy_core::prelude::*;
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// The chain of three rods, body by body.

@@ -1,9 +1,9 @@
 //! Stops: impacts, and rest on an end.
 
-use crate::simulation;
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::StopReason;
+use ezy_core_tests::simulation;
 
 model! {
     /// A stone above a floor.

@@ -1,7 +1,7 @@
 //! A skate with a limit.
 
-use crate::simulation;
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 
 model! {
     /// A sled that is pulled across its runner, by a force that turns round.

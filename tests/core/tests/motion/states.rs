@@ -1,11 +1,11 @@
 //! First-order states: numbers with a rate of their own beside the motion.
 
-use crate::simulation;
 use ezy_core::dynamics::StartError;
 use ezy_core::integrate::{PreciseError, PreciseMotion};
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_core::testing::{GivenSteps, StepsBy};
+use ezy_core_tests::simulation;
 
 model! {
     /// A motor with armature current that turns a wheel against friction, and what becomes of the energy that it takes.

@@ -1,7 +1,7 @@
 //! Positions in which constraints depend on each other.
 
-use crate::simulation;
 use ezy_core::prelude::*;
+use ezy_core_tests::simulation;
 
 model! {
     /// A parallelogram that falls through its flat position, where it could become an antiparallelogram.

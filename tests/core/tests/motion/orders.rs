@@ -2,10 +2,10 @@
 
 use super::runs::cart;
 use super::skates::sled;
-use crate::{simulation, system_of};
 use ezy_core::dynamics::{MotionError, SystemError};
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::{simulation, system_of};
 
 fn order(scene: &cart::Pushed) -> Simulation<'_, &dyn Scene> {
     simulation(scene).method(Method::rk4(0.1))

@@ -1,10 +1,10 @@
 //! Every method against a motion that is known: its order, its tolerance, its number of steps.
 
-use crate::{simulation, system_of};
 use ezy_core::integrate::PreciseMotion;
 use ezy_core::prelude::*;
 use ezy_core::scalar::Scalar as _;
 use ezy_core::testing::{GivenSteps, StepsBy};
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// A body that swings on a spring while a force drives it and a damper holds it back; in `held` a stiff one.

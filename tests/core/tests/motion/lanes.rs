@@ -3,12 +3,12 @@
 use super::events::pendulum;
 use super::singular::parallelogram;
 use super::states::cruise;
-use crate::{simulation, system_of};
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::{Equations, Start};
 use ezy_core::prelude::*;
 use ezy_core::scalar;
 use ezy_core::simulate::SetupError;
+use ezy_core_tests::{simulation, system_of};
 use std::f64::consts::FRAC_PI_6;
 
 model! {

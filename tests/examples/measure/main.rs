@@ -21,7 +21,7 @@ type Outcome = Result<(), Box<dyn Error>>;
 // what is measured is said at its arguments
 /// Measures what the pages of EZY tell, and compares random runs
 #[derive(Debug, Parser)]
-#[command(name = "measure", subcommand_required = true)]
+#[command(name = "measure")]
 enum Asked {
     HardCases(hard_cases::Asked),
     Cranks(cranks::Asked),
@@ -62,6 +62,11 @@ impl Random {
     fn cases(&self) -> std::ops::Range<u64> {
         self.first..self.first.saturating_add(self.n)
     }
+}
+
+/// Faults are printed where they are found.
+fn outcome(n_faults: usize) -> Outcome {
+    if n_faults == 0 { Ok(()) } else { Err(format!("{n_faults} faults").into()) }
 }
 
 fn main() -> ExitCode {

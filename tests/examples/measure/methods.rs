@@ -9,7 +9,7 @@ use ezy_tests::fuzz::Scenes;
 use ezy_tests::fuzz::methods::{Case, MARGIN, Told};
 use ezy_tests::page::docs;
 
-use super::{Outcome, Random};
+use super::{Outcome, Random, outcome};
 
 /// Times of a scene's own.
 const TIMES: [f64; 2] = [1.0, 3.0];
@@ -47,11 +47,7 @@ pub(crate) fn random(random: &Random) -> Outcome {
     println!(
         "{n_skipped:>9} samples in crossings of singular positions, or between an event of one run and of another, not compared"
     );
-    told(n_faults)
-}
-
-fn told(n_faults: usize) -> Outcome {
-    if n_faults == 0 { Ok(()) } else { Err(format!("{n_faults} faults").into()) }
+    outcome(n_faults)
 }
 
 /// Tolerances of runs, and their errors in tolerances times amplification.
@@ -90,7 +86,7 @@ pub(crate) fn run(Asked { only, write }: &Asked) -> Outcome {
     if *write {
         figure(points).save(&docs(""), "accuracy-tolerances")?;
     }
-    told(n_faults)
+    outcome(n_faults)
 }
 
 /// Errors over tolerances, with the bound.

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use ezy_tests::fuzz::{Scenes, Tally, trial};
 
-use super::{Outcome, Random};
+use super::{Outcome, Random, outcome};
 
 /// Longer than any trial takes by thousands of times: it hangs.
 const HANG: Duration = Duration::from_secs(600);
@@ -16,7 +16,7 @@ pub(crate) fn run(random: &Random) -> Outcome {
     let tally = tried(random);
     tally.faults.iter().for_each(|fault| println!("{fault}\n"));
     println!("{tally}");
-    if tally.faults.is_empty() { Ok(()) } else { Err(format!("{} faults", tally.faults.len()).into()) }
+    outcome(tally.faults.len())
 }
 
 fn tried(random: &Random) -> Tally {

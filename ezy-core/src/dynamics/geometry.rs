@@ -1,7 +1,7 @@
 //! How large a mechanism is, so that a watch and a crane are held to the same digits.
 
 use super::tolerances::geometry::{LARGEST_VALUE, ROUNDING_OF_ROWS, TOLERANCE};
-use crate::model::{CoordinateInfo, SceneInfo, Start};
+use crate::model::{CoordinateInfo, SceneInfo, Start, body_kind};
 
 /// Lengths that say what is small, read once off the slopes of the rows at the scene's start.
 #[derive(Clone)]
@@ -16,6 +16,8 @@ pub(super) struct Geometry {
     pub turns: Vec<bool>,
     /// Which coordinates are lengths.
     pub lengths: Vec<bool>,
+    /// The coordinate that each velocity moves.
+    pub moved: Vec<usize>,
 }
 
 impl Geometry {
@@ -50,7 +52,8 @@ impl Geometry {
             sizes[row] = sizes[row].max(if turns[column] { g } else { g * length });
         }
         sizes.iter_mut().filter(|size| **size == 0.0).for_each(|size| *size = 1.0);
-        Self { length, sizes, units: levers, turns, lengths }
+        let moved = body_kind::coordinates_moved(&info.kinds, info.n_velocities());
+        Self { length, sizes, units: levers, turns, lengths, moved }
     }
 
     /// Largest of coordinates, in units of the length; angles and parts of quaternions as they are.
@@ -151,7 +154,8 @@ mod tests {
     /// Rows of sizes 4, 1/2 and 1 of a mechanism of 2 m, with a lever of 3 m.
     fn geometry() -> Geometry {
         let (turns, lengths) = (vec![false, false, true], vec![true, true, false]);
-        Geometry { length: 2.0, sizes: vec![4.0, 0.5, 1.0], units: vec![1.0, 1.0, 3.0], turns, lengths }
+        let units = vec![1.0, 1.0, 3.0];
+        Geometry { length: 2.0, sizes: vec![4.0, 0.5, 1.0], units, turns, lengths, moved: vec![0, 1, 2] }
     }
 
     /// Rounding of a product or two.

@@ -19,11 +19,13 @@ impl Sines {
     #[inline]
     pub(super) fn at(&mut self, q: &[f64]) -> &[[f64; 2]] {
         if !self.table.is_empty() {
-            let bodies = q.as_chunks::<N_OF_BODY>().0;
-            let same = |(angle, [_, _, phi]): (&f64, &[f64; N_OF_BODY])| angle.to_bits() == phi.to_bits();
-            // all are compared, without a branch at each
-            if !self.angles.iter().zip(bodies).fold(true, |all, of| all & same(of)) {
-                self.angles.iter_mut().zip(bodies).for_each(|(angle, [_, _, phi])| *angle = *phi);
+            let mut differ = 0;
+            // all are compared and taken, without a branch at each
+            for (angle, [_, _, phi]) in self.angles.iter_mut().zip(q.as_chunks::<N_OF_BODY>().0) {
+                differ |= angle.to_bits() ^ phi.to_bits();
+                *angle = *phi;
+            }
+            if differ != 0 {
                 in_widest(
                     #[inline(always)]
                     || f64::sin_cos_of_each(&self.angles, &mut self.table),

@@ -26,7 +26,7 @@ pub(crate) mod projection {
     /// Test: `invariant_projection_brings_a_disturbed_state_back`.
     pub(crate) const MAX_PASSES: usize = 10;
 
-    /// Passes before a residual may be taken for rounding: at 1e6 rad a correction of an angle is lost, but what x and y take of it
+    /// Passes before a residual may be taken for rounding of a large angle: at 1e6 rad a correction of the angle is lost, but what x and y take of it
     /// is not, so that each pass leaves a part.
     /// Unit: passes.
     /// Test: `invariant_rotor_keeps_its_hinge_at_a_million_radians`.

@@ -1,5 +1,6 @@
 //! Which row is farthest from being met.
 
+use super::max_abs;
 use super::solved::Solved;
 
 /// A residual and the row that has it.
@@ -14,13 +15,9 @@ pub struct Worst {
 impl Worst {
     /// Of all residuals; zero without any.
     pub(crate) fn of(residual: &[f64]) -> Self {
-        let mut worst = Self::default();
-        for (row, x) in residual.iter().enumerate() {
-            if x.abs() > worst.value || x.is_nan() {
-                worst = Self { value: x.abs(), row };
-            }
-        }
-        worst
+        let value = max_abs(residual);
+        let row = residual.iter().position(|x| x.abs() == value || x.is_nan());
+        Self { value, row: row.unwrap_or(0) }
     }
 }
 

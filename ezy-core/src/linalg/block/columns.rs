@@ -1,19 +1,32 @@
 //! The columns of the factors: which blocks stand below the diagonal, and which of them the elimination of each changes.
 
+use super::form::{ABSENT, Form, Layout};
 use super::{Block, Column};
 use crate::linalg::VanishedPivot;
-use crate::linalg::joints::{BODIES, Plan};
+use crate::linalg::joints::{BODIES, Joint, Plan};
+use crate::model::SparsityPattern;
+use crate::model::coordinate::body_and_component;
 use std::array::from_fn;
 
-/// A joint, and what is its own in the factors.
+/// A joint, and what is its own in the factors: together, so that a sweep reads one list.
 #[derive(Debug, Clone)]
-pub(super) struct Node<const B: usize> {
+pub(super) struct Node<const B: usize, const N: usize> {
+    /// Its part of Γ, for each body.
+    pub slots: [[f64; N]; BODIES],
+    /// What eliminated columns leave on the diagonal.
+    pub pending: Block<B>,
     /// Of its block of D.
     pub inverse: Block<B>,
     /// The only block below the diagonal in its column, of L; not of columns that stand in the list.
     pub lower: Block<B>,
+    /// y of the right side and of the solution.
+    pub y: Column<B>,
     /// Those that it holds; one that is held alone stands twice, the second time with zeros for Γ.
     pub bodies: [u32; BODIES],
+    /// Among the entries of G.
+    pub first_entry: u32,
+    /// How its entries stand in G, among the layouts.
+    pub layout: u32,
     /// Among the rows of G.
     pub first_row: u32,
     pub n_rows: u32,
@@ -25,7 +38,7 @@ pub(super) struct Node<const B: usize> {
     pub n_lower: u32,
 }
 
-impl<const B: usize> Node<B> {
+impl<const B: usize, const N: usize> Node<B, N> {
     /// The first row whose pivot is not more than `least`; where each is, the last one, whose pivot left the range of numbers.
     #[cold]
     pub(super) fn vanished(&self, pivots: &Column<B>, least: f64) -> VanishedPivot {
@@ -38,7 +51,7 @@ impl<const B: usize> Node<B> {
 /// A block below the diagonal, in the list.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Below {
-    /// The later joint.
+    /// How many joints later its row stands.
     pub row: u32,
     /// For each body of the earlier joint, its place among those of the later one; [`NOT_SHARED`] where that does not hold it.
     pub late: [u8; BODIES],
@@ -49,16 +62,18 @@ pub(super) struct Below {
 const NOT_SHARED: u8 = BODIES as u8;
 
 /// All of them.
-pub(super) struct Columns<const B: usize> {
-    pub nodes: Vec<Node<B>>,
+pub(super) struct Columns<const B: usize, const N: usize> {
+    pub nodes: Vec<Node<B, N>>,
+    /// The usual one first.
+    pub layouts: Vec<Layout<N>>,
     /// Of the columns in the list, one after the other.
     pub below: Vec<Below>,
     /// The blocks in the list that the elimination of each column changes, from the last row to the first, counted from the column behind it.
     pub targets: Vec<u32>,
 }
 
-impl<const B: usize> Columns<B> {
-    pub(super) fn new(Plan { joints, later }: &Plan) -> Self {
+impl<const B: usize, const N: usize> Columns<B, N> {
+    pub(super) fn new<F: Form<B, N>>(Plan { joints, later }: &Plan, pattern: &SparsityPattern) -> Self {
         let place = |column: usize, row: usize| later[column].binary_search(&row).ok();
         // columns add to the blocks of later ones, whose rows stand in them, too
         let mut is_filled: Vec<Vec<bool>> = later.iter().map(|list| vec![false; list.len()]).collect();
@@ -69,7 +84,12 @@ impl<const B: usize> Columns<B> {
                 }
             }
         }
-        let mut columns = Self { nodes: Vec::with_capacity(joints.len()), below: Vec::new(), targets: Vec::new() };
+        let mut columns = Self {
+            nodes: Vec::with_capacity(joints.len()),
+            layouts: vec![F::USUAL],
+            below: Vec::new(),
+            targets: Vec::new(),
+        };
         let mut starts = Vec::with_capacity(joints.len());
         for (k, joint) in joints.iter().enumerate() {
             let side = |i: usize, row: usize| joint.bodies.get(i).and_then(|&body| joints[row].side_of(body));
@@ -85,14 +105,25 @@ impl<const B: usize> Columns<B> {
             let start = columns.below.len();
             if next == 0 {
                 let blocks = later[k].iter().zip(&is_filled[k]);
-                let blocks = blocks.map(|(&row, &is_filled)| Below { row: row as u32, late: late(row), is_filled });
+                let blocks =
+                    blocks.map(|(&row, &is_filled)| Below { row: (row - k) as u32, late: late(row), is_filled });
                 columns.below.extend(blocks);
             }
             starts.push(start);
+            let own = layout::<F, B, N>(joint, pattern);
+            let layout = columns.layouts.iter().position(|known| *known == own).unwrap_or_else(|| {
+                columns.layouts.push(own);
+                columns.layouts.len() - 1
+            });
             columns.nodes.push(Node {
+                slots: [[0.0; N]; BODIES],
+                pending: [[0.0; B]; B],
                 inverse: [[0.0; B]; B],
                 lower: [[0.0; B]; B],
+                y: [0.0; B],
                 bodies: from_fn(|i| joint.bodies.get(i).or(joint.bodies.first()).map_or(0, |&body| body as u32)),
+                first_entry: pattern.starts[joint.first_row] as u32,
+                layout: layout as u32,
                 first_row: joint.first_row as u32,
                 n_rows: joint.n_rows as u32,
                 next: next as u32,
@@ -108,4 +139,16 @@ impl<const B: usize> Columns<B> {
         }
         columns
     }
+}
+
+/// Where the entries of a joint stand.
+fn layout<F: Form<B, N>, const B: usize, const N: usize>(joint: &Joint, pattern: &SparsityPattern) -> Layout<N> {
+    let mut layout = [[ABSENT; N]; BODIES];
+    for (entry, row, column) in joint.entries(pattern) {
+        let (body, component) = body_and_component(column);
+        if let (Some(side), Some(at)) = (joint.side_of(body), F::place(row, component)) {
+            layout[side][at] = (entry - pattern.starts[joint.first_row]) as u32;
+        }
+    }
+    layout
 }

@@ -1,15 +1,40 @@
 //! How a joint keeps its part of Γ = G M^−½: as much as its rows can have.
 
 use super::{Block, Column};
+use crate::linalg::joints::BODIES;
 use crate::model::coordinate::N_OF_BODY;
+
+/// Where each number that a joint keeps stands among its entries of G, for each body; [`ABSENT`] where it is zero.
+pub(super) type Layout<const N: usize> = [[u32; N]; BODIES];
+
+pub(super) const ABSENT: u32 = u32::MAX;
 
 /// How the part of Γ = G M^−½ that one joint has of one body is kept, in `N` numbers. Γ Γᵀ is A, and nothing else asks for masses.
 pub(super) trait Form<const B: usize, const N: usize>: Send {
     /// Whether all joints have `B` rows.
     const WHOLE: bool;
 
-    /// Where the entry of a row and a component stands; none where it always is zero.
+    /// That of rows which have all their entries, the first body before the second.
+    const USUAL: Layout<N>;
+
+    /// How many entries such rows have.
+    const N_USUAL: usize;
+
+    /// The component of each number.
+    const COMPONENTS: [usize; N];
+
+    /// Where the entry of a row and a component is kept; none where it always is zero.
     fn place(row: usize, component: usize) -> Option<usize>;
+
+    /// Writes the part of Γ by the entries of G of a joint, and the roots of the inverse masses of its bodies.
+    #[inline(always)]
+    fn scale(layout: &Layout<N>, entries: &[f64], roots: [&[f64; N_OF_BODY]; BODIES], slots: &mut [[f64; N]; BODIES]) {
+        for ((slot, layout), root) in slots.iter_mut().zip(layout).zip(roots) {
+            for ((number, &entry), component) in slot.iter_mut().zip(layout).zip(Self::COMPONENTS) {
+                *number = entries.get(entry as usize).map_or(0.0, |entry| entry * root[component]);
+            }
+        }
+    }
 
     /// `a bᵀ` for the same body.
     fn product(a: &[f64; N], b: &[f64; N]) -> Block<B>;
@@ -26,6 +51,30 @@ pub(super) struct Full;
 
 impl<const B: usize, const N: usize> Form<B, N> for Full {
     const WHOLE: bool = false;
+    const USUAL: Layout<N> = {
+        let mut layout = [[0; N]; BODIES];
+        let mut at = 0;
+        while at < N {
+            let (row, component) = (at % B, at / B);
+            let mut side = 0;
+            while side < BODIES {
+                layout[side][at] = ((row * BODIES + side) * N_OF_BODY + component) as u32;
+                side += 1;
+            }
+            at += 1;
+        }
+        layout
+    };
+    const N_USUAL: usize = BODIES * N;
+    const COMPONENTS: [usize; N] = {
+        let mut components = [0; N];
+        let mut at = 0;
+        while at < N {
+            components[at] = at / B;
+            at += 1;
+        }
+        components
+    };
 
     fn place(row: usize, component: usize) -> Option<usize> {
         Some(component * B + row)
@@ -62,6 +111,9 @@ pub(super) struct Aligned;
 
 impl Form<2, 4> for Aligned {
     const WHOLE: bool = true;
+    const USUAL: Layout<4> = [[0, 4, 1, 5], [2, 6, 3, 7]];
+    const N_USUAL: usize = 8;
+    const COMPONENTS: [usize; 4] = [0, 1, 2, 2];
 
     fn place(row: usize, component: usize) -> Option<usize> {
         match component {

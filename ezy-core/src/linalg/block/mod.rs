@@ -6,13 +6,13 @@ mod fraction;
 #[cfg(test)]
 mod tests;
 
-use super::joints::{BODIES, Plan};
+use super::joints::Plan;
 use super::tolerances::blocks::REFINED;
 use super::{KktFactorization, VanishedPivot};
 use crate::model::coordinate::{N_OF_BODY, body_and_component, n_bodies};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
 use columns::{Below, Columns, Node};
-use form::{Aligned, Form, Full};
+use form::{Aligned, Form, Full, Layout};
 use fraction::Fraction;
 use std::array::from_fn;
 use std::marker::PhantomData;
@@ -29,13 +29,9 @@ type Block<const B: usize> = [Column<B>; B];
 /// Nothing is filled in where bodies form trees, whatever their shape: the cost grows as their number.
 struct BlockKkt<F, const B: usize, const N: usize> {
     form: PhantomData<F>,
-    /// Where each entry of G stands among the slots.
-    places: Vec<u32>,
-    nodes: Vec<Node<B>>,
-    /// The part of Γ of each body of a joint.
-    slots: Vec<[[f64; N]; BODIES]>,
-    /// What eliminated columns leave on the diagonal.
-    pending: Vec<Block<B>>,
+    nodes: Vec<Node<B, N>>,
+    /// How entries of joints stand in G; the usual one first.
+    layouts: Vec<Layout<N>>,
     below: Vec<Below>,
     /// Columns that have not just one block below the diagonal, or to whose block others add, one after the other: what eliminated columns leave
     /// below the diagonal; of a column that is eliminated, the blocks of L.
@@ -47,15 +43,9 @@ struct BlockKkt<F, const B: usize, const N: usize> {
     mass: Vec<f64>,
     /// M^−½ by body.
     roots: Vec<[f64; N_OF_BODY]>,
-    /// That of the column of each entry of G.
-    entry_roots: Vec<f64>,
-    /// The column of each entry of G, for new masses.
-    columns: Vec<u32>,
     /// M^½ x of the right side and of the solution, by body.
     x: Vec<[f64; N_OF_BODY]>,
-    /// y of the right side and of the solution, by joint.
-    y: Vec<Column<B>>,
-    /// That before it is refined.
+    /// y before it is refined, by joint.
     first: Vec<Column<B>>,
     smallest_pivot: f64,
     /// Whether solutions are refined once.
@@ -82,56 +72,29 @@ fn are_aligned(pattern: &SparsityPattern, plan: &Plan) -> bool {
 
 impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     fn new(n_q: usize, pattern: &SparsityPattern, plan: &Plan) -> Self {
-        let Columns { nodes, below, targets } = Columns::new(plan);
-        let mut places = vec![0; pattern.n_nonzeros()];
-        for (k, joint) in plan.joints.iter().enumerate() {
-            for (entry, row, column) in joint.entries(pattern) {
-                let (body, component) = body_and_component(column);
-                if let (Some(side), Some(at)) = (joint.side_of(body), F::place(row, component)) {
-                    places[entry] = ((k * BODIES + side) * N + at) as u32;
-                }
-            }
-        }
-        let n_blocks = below.len();
+        let Columns { nodes, layouts, below, targets } = Columns::new::<F>(plan, pattern);
         Self {
             form: PhantomData,
-            places,
-            pending: vec![[[0.0; B]; B]; nodes.len()],
-            x: vec![[0.0; N_OF_BODY]; n_bodies(n_q)],
-            y: vec![[0.0; B]; nodes.len()],
             first: vec![[0.0; B]; nodes.len()],
-            slots: vec![[[0.0; N]; BODIES]; nodes.len()],
             nodes,
-            lower: vec![[[0.0; B]; B]; n_blocks],
+            layouts,
+            lower: vec![[[0.0; B]; B]; below.len()],
             below,
             targets,
             mass: vec![f64::NAN; n_q],
             roots: vec![[0.0; N_OF_BODY]; n_bodies(n_q)],
-            entry_roots: vec![0.0; pattern.n_nonzeros()],
-            columns: pattern.columns.iter().map(|&column| column as u32).collect(),
+            x: vec![[0.0; N_OF_BODY]; n_bodies(n_q)],
             smallest_pivot: 1.0,
             refines: false,
         }
     }
 
-    /// Writes Γ by joints.
-    fn place(&mut self, mass: &[f64], jacobian: &[f64]) {
+    /// Makes the roots of other masses.
+    fn take_masses(&mut self, mass: &[f64]) {
         // all are compared, without a branch at each
         if self.mass.iter().zip(mass).fold(false, |differ, (known, m)| differ | (known != m)) {
             self.mass.copy_from_slice(mass);
-            let roots = self.roots.as_flattened_mut();
-            roots.iter_mut().zip(mass).for_each(|(root, m)| *root = 1.0 / m.sqrt());
-            self.entry_roots.iter_mut().zip(&self.columns).for_each(|(root, &column)| *root = roots[column as usize]);
-        }
-        let entries = self.slots.as_flattened_mut().as_flattened_mut();
-        let (places, more) = self.places.as_chunks::<4>();
-        let (roots, more_roots) = self.entry_roots.as_chunks::<4>();
-        let (jacobian, more_of_g) = jacobian.as_chunks::<4>();
-        for ((places, roots), g) in places.iter().zip(roots).zip(jacobian) {
-            (0..4).for_each(|i| entries[places[i] as usize] = g[i] * roots[i]);
-        }
-        for ((&place, root), g) in more.iter().zip(more_roots).zip(more_of_g) {
-            entries[place as usize] = g * root;
+            self.roots.as_flattened_mut().iter_mut().zip(mass).for_each(|(root, m)| *root = 1.0 / m.sqrt());
         }
     }
 
@@ -139,15 +102,21 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     ///
     /// Where `s` is given, forward substitution ([`Self::forward`]) is done in the same sweep: both are chains of dependent operations, and the
     /// processor overlaps them.
-    fn eliminate(&mut self, damping: Option<&[f64]>, least: f64, s: Option<&[f64]>) -> Result<(), VanishedPivot> {
-        let Self { nodes, slots, pending, below, lower, targets, smallest_pivot, x, y, .. } = self;
-        let (mut lower, mut below, mut targets) = (&mut lower[..], &below[..], targets.iter());
+    fn eliminate(
+        &mut self,
+        jacobian: &[f64],
+        damping: Option<&[f64]>,
+        least: f64,
+        s: Option<&[f64]>,
+    ) -> Result<(), VanishedPivot> {
+        let Self { nodes, layouts, roots, below, lower, targets, smallest_pivot, x, .. } = self;
+        lower.iter_mut().zip(&*below).filter(|(_, of)| of.is_filled).for_each(|(block, _)| *block = [[0.0; B]; B]);
+        let mut list = List { lower, below, targets };
         let mut smallest = 1.0;
-        pending.fill([[0.0; B]; B]);
-        lower.iter_mut().zip(below).filter(|(_, of)| of.is_filled).for_each(|(block, _)| *block = [[0.0; B]; B]);
-        y.fill([0.0; B]);
-        for (k, (joint, own_slots)) in nodes.iter_mut().zip(&*slots).enumerate() {
-            let [first, second] = own_slots;
+        begin::<F, B, N>(nodes, layouts, jacobian, roots);
+        let mut rest = &mut nodes[..];
+        while let Some((joint, later)) = rest.split_first_mut() {
+            let [first, second] = &joint.slots;
             let mut own = sum(&F::product(first, first), &F::product(second, second));
             if !F::WHOLE {
                 (joint.n_rows as usize..B).for_each(|r| own[r][r] = 1.0);
@@ -157,53 +126,31 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
                 (0..B).for_each(|r| own[r][r] += damping[r]);
             }
             let start = from_fn(|r| own[r][r]);
-            let Fraction { numerator, denominator, pivots } = Fraction::inverse(&sum(&own, &pending[k]), &start);
-            if !(pivots.iter().all(|&pivot| pivot > least) && denominator.is_normal()) {
-                return Err(joint.vanished(&pivots, least));
+            let inverse = Fraction::inverse(&sum(&own, &joint.pending), &start);
+            if !(inverse.pivots.iter().all(|&pivot| pivot > least) && inverse.denominator.is_normal()) {
+                return Err(joint.vanished(&inverse.pivots, least));
             }
-            for pivot in pivots {
+            for pivot in inverse.pivots {
                 smallest = if pivot < smallest { pivot } else { smallest };
             }
             // the products do not wait for the division
-            let reciprocal = 1.0 / denominator;
-            joint.inverse = times(&numerator, reciprocal);
+            let reciprocal = 1.0 / inverse.denominator;
+            joint.inverse = times(&inverse.numerator, reciprocal);
             if joint.next > 0 {
-                let later = k + joint.next as usize;
+                let late = &mut later[joint.next as usize - 1];
                 let [here, there] = joint.shared.map(usize::from);
-                let block = F::product(&slots[later][there], &own_slots[here]);
-                let scaled = numerator.map(|of_row| apply(&block, &of_row));
-                subtract_product(&mut pending[later], &scaled, &block, reciprocal);
+                let block = F::product(&late.slots[there], &joint.slots[here]);
+                let scaled = inverse.numerator.map(|of_row| apply(&block, &of_row));
+                subtract_product(&mut late.pending, &scaled, &block, reciprocal);
                 joint.lower = times(&scaled, reciprocal);
                 if let Some(s) = s {
-                    forward::<F, B, N, _>(k, joint, own_slots, std::iter::empty, x, s, y);
+                    let sum = forward::<F, B, N>(joint, x, s);
+                    subtract(&mut late.y, &apply(&joint.lower, &sum));
                 }
-                continue;
+            } else {
+                list.eliminate::<F, N>(joint, later, &inverse.numerator, reciprocal, s.map(|s| (&x[..], s)));
             }
-            let (column, of_column);
-            (column, lower) = lower.split_at_mut(joint.n_lower as usize);
-            (of_column, below) = below.split_at(joint.n_lower as usize);
-            for (block, of) in column.iter_mut().zip(of_column) {
-                let mut entries = if of.is_filled { *block } else { [[0.0; B]; B] };
-                for (early, &late) in own_slots.iter().zip(&of.late) {
-                    if let Some(late) = slots[of.row as usize].get(late as usize) {
-                        entries = sum(&entries, &F::product(late, early));
-                    }
-                }
-                *block = entries;
-            }
-            // the products of a row take the blocks above it as they were
-            for (i, of) in of_column.iter().enumerate().rev() {
-                let (above, block) = (&column[..i], column[i]);
-                let scaled = numerator.map(|of_row| apply(&block, &of_row));
-                for (above, &target) in above.iter().zip(&mut targets) {
-                    subtract_product(&mut lower[target as usize], &scaled, above, reciprocal);
-                }
-                subtract_product(&mut pending[of.row as usize], &scaled, &block, reciprocal);
-                column[i] = times(&scaled, reciprocal);
-            }
-            if let Some(s) = s {
-                forward::<F, B, N, _>(k, joint, own_slots, || column.iter().zip(of_column), x, s, y);
-            }
+            rest = later;
         }
         *smallest_pivot = smallest;
         Ok(())
@@ -211,30 +158,42 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
 
     /// `L y = Γ x − s`.
     fn forward(&mut self, s: &[f64]) {
-        let Self { nodes, slots, lower, below, x, y, .. } = self;
-        y.fill([0.0; B]);
+        let Self { nodes, lower, below, x, .. } = self;
+        nodes.iter_mut().for_each(|joint| joint.y = [0.0; B]);
         let mut column = Pairs(lower, below);
-        for (k, (joint, slots)) in nodes.iter().zip(slots).enumerate() {
-            forward::<F, B, N, _>(k, joint, slots, || column.take_first(joint.n_lower), x, s, y);
+        let mut rest = &mut nodes[..];
+        while let Some((joint, later)) = rest.split_first_mut() {
+            let sum = forward::<F, B, N>(joint, x, s);
+            match joint.next {
+                0 => column
+                    .take_first(joint.n_lower)
+                    .for_each(|(block, of)| subtract(&mut later[of.row as usize - 1].y, &apply(block, &sum))),
+                next => subtract(&mut later[next as usize - 1].y, &apply(&joint.lower, &sum)),
+            }
+            rest = later;
         }
     }
 
-    /// `D Lᵀ y = y`, then `x −= Γᵀ y`.
-    fn backward(&mut self) {
-        let Self { nodes, slots, lower, below, x, y, .. } = self;
+    /// `D Lᵀ y = y`, then `x −= Γᵀ y`; hands out the place of each joint, and y there.
+    #[inline]
+    fn backward(&mut self, mut found: impl FnMut(usize, &Node<B, N>)) {
+        let Self { nodes, lower, below, x, .. } = self;
         let mut column = Pairs(lower, below);
-        for (k, (joint, slots)) in nodes.iter().zip(slots).enumerate().rev() {
-            let mut solved = apply(&joint.inverse, &y[k]);
-            let mut pull =
-                |block: &Block<B>, later: usize| subtract(&mut solved, &block.map(|of_row| dot(&of_row, &y[later])));
+        for k in (0..nodes.len()).rev() {
+            let Some((joint, later)) = nodes[k..].split_first_mut() else { continue };
+            let mut solved = apply(&joint.inverse, &joint.y);
+            let mut pull = |block: &Block<B>, late: &Node<B, N>| {
+                subtract(&mut solved, &block.map(|of_row| dot(&of_row, &late.y)));
+            };
             match joint.next {
-                0 => column.take_last(joint.n_lower).for_each(|(block, of)| pull(block, of.row as usize)),
-                next => pull(&joint.lower, k + next as usize),
+                0 => column.take_last(joint.n_lower).for_each(|(block, of)| pull(block, &later[of.row as usize - 1])),
+                next => pull(&joint.lower, &later[next as usize - 1]),
             }
-            y[k] = solved;
-            for (slot, &body) in slots.iter().zip(&joint.bodies) {
+            joint.y = solved;
+            for (slot, &body) in joint.slots.iter().zip(&joint.bodies) {
                 F::subtract_transposed(&mut x[body as usize], slot, &solved);
             }
+            found(k, joint);
         }
     }
 
@@ -242,24 +201,23 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     /// gives back the digits that small pivots cost. [`Self::forward`] was called before.
     fn finish(&mut self, right_side: &mut [f64]) {
         let (r, s) = right_side.split_at_mut(self.roots.as_flattened().len());
-        self.backward();
         if self.refines {
-            self.first.copy_from_slice(&self.y);
+            let mut first = std::mem::take(&mut self.first);
+            self.backward(|k, joint| first[k] = joint.y);
             self.forward(s);
-            self.backward();
-            let sums = self.y.as_flattened_mut().iter_mut();
-            sums.zip(self.first.as_flattened()).for_each(|(sum, first)| *sum += first);
+            self.backward(|k, joint| write_rows(joint, &from_fn(|r| first[k][r] + joint.y[r]), s));
+            self.first = first;
+        } else {
+            self.backward(|_, joint| {
+                if F::WHOLE {
+                    s.as_chunks_mut::<B>().0[joint.first_row as usize / B] = joint.y;
+                } else {
+                    write_rows(joint, &joint.y, s);
+                }
+            });
         }
         let x = self.x.as_flattened().iter().zip(self.roots.as_flattened());
         r.iter_mut().zip(x).for_each(|(r, (x, root))| *r = x * root);
-        for (joint, y) in self.nodes.iter().zip(&self.y) {
-            if F::WHOLE {
-                s.as_chunks_mut::<B>().0[joint.first_row as usize / B] = *y;
-            } else {
-                let s = &mut s[joint.first_row as usize..][..joint.n_rows as usize];
-                s.iter_mut().zip(y).for_each(|(s, y)| *s = *y);
-            }
-        }
     }
 
     /// Takes x of a right side, and returns the other part.
@@ -271,9 +229,28 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     }
 }
 
+/// Writes Γ.
+fn begin<F: Form<B, N>, const B: usize, const N: usize>(
+    joints: &mut [Node<B, N>],
+    layouts: &[Layout<N>],
+    jacobian: &[f64],
+    roots: &[[f64; N_OF_BODY]],
+) {
+    for joint in joints {
+        let entries = &jacobian[joint.first_entry as usize..];
+        let roots = joint.bodies.map(|body| &roots[body as usize]);
+        match joint.layout {
+            // without a question at each entry
+            0 => F::scale(&F::USUAL, &entries[..F::N_USUAL], roots, &mut joint.slots),
+            other => F::scale(&layouts[other as usize], entries, roots, &mut joint.slots),
+        }
+        (joint.pending, joint.y) = ([[0.0; B]; B], [0.0; B]);
+    }
+}
+
 /// The rows of a joint in a vector that has one number for each row of G.
 #[inline]
-fn rows<F: Form<B, N>, const B: usize, const N: usize>(joint: &Node<B>, of: &[f64]) -> Column<B> {
+fn rows<F: Form<B, N>, const B: usize, const N: usize>(joint: &Node<B, N>, of: &[f64]) -> Column<B> {
     let first = joint.first_row as usize;
     if F::WHOLE {
         return of.as_chunks::<B>().0[first / B];
@@ -283,28 +260,75 @@ fn rows<F: Form<B, N>, const B: usize, const N: usize>(joint: &Node<B>, of: &[f6
     rows
 }
 
-/// The part of a joint in `L y = Γ x − s`, with its column in the list.
+/// The same in reverse.
+fn write_rows<const B: usize, const N: usize>(joint: &Node<B, N>, y: &Column<B>, out: &mut [f64]) {
+    let out = &mut out[joint.first_row as usize..][..joint.n_rows as usize];
+    out.iter_mut().zip(y).for_each(|(out, y)| *out = *y);
+}
+
+/// What a joint and those before it have in `L y = Γ x − s`.
 #[inline]
-fn forward<'a, F: Form<B, N>, const B: usize, const N: usize, I: Iterator<Item = (&'a Block<B>, &'a Below)>>(
-    k: usize,
-    joint: &Node<B>,
-    slots: &[[f64; N]; BODIES],
-    column: impl FnOnce() -> I,
+fn forward<F: Form<B, N>, const B: usize, const N: usize>(
+    joint: &mut Node<B, N>,
     x: &[[f64; N_OF_BODY]],
     s: &[f64],
-    y: &mut [Column<B>],
-) {
+) -> Column<B> {
     let mut sum = rows::<F, B, N>(joint, s).map(|s| -s);
-    for (slot, &body) in slots.iter().zip(&joint.bodies) {
+    for (slot, &body) in joint.slots.iter().zip(&joint.bodies) {
         F::add(&mut sum, slot, &x[body as usize]);
     }
     // what waits for earlier joints comes last
-    sum.iter_mut().zip(y[k]).for_each(|(sum, y)| *sum += y);
-    y[k] = sum;
-    if joint.next > 0 {
-        subtract(&mut y[k + joint.next as usize], &apply(&joint.lower, &sum));
-    } else {
-        column().for_each(|(block, of)| subtract(&mut y[of.row as usize], &apply(block, &sum)));
+    sum.iter_mut().zip(joint.y).for_each(|(sum, y)| *sum += y);
+    joint.y = sum;
+    sum
+}
+
+/// The columns that stand in the list, from the one on that is eliminated next.
+struct List<'a, const B: usize> {
+    lower: &'a mut [Block<B>],
+    below: &'a [Below],
+    targets: &'a [u32],
+}
+
+impl<const B: usize> List<'_, B> {
+    /// Eliminates the column of a joint whose inverse is `numerator · reciprocal`; with `x` and `s` forward substitution, too.
+    fn eliminate<F: Form<B, N>, const N: usize>(
+        &mut self,
+        joint: &mut Node<B, N>,
+        later: &mut [Node<B, N>],
+        numerator: &Block<B>,
+        reciprocal: f64,
+        right_side: Option<(&[[f64; N_OF_BODY]], &[f64])>,
+    ) {
+        let (column, of_column);
+        (column, self.lower) = std::mem::take(&mut self.lower).split_at_mut(joint.n_lower as usize);
+        (of_column, self.below) = self.below.split_at(joint.n_lower as usize);
+        for (block, of) in column.iter_mut().zip(of_column) {
+            let mut entries = if of.is_filled { *block } else { [[0.0; B]; B] };
+            for (early, &late) in joint.slots.iter().zip(&of.late) {
+                if let Some(late) = later[of.row as usize - 1].slots.get(late as usize) {
+                    entries = sum(&entries, &F::product(late, early));
+                }
+            }
+            *block = entries;
+        }
+        // the products of a row take the blocks above it as they were
+        for (i, of) in of_column.iter().enumerate().rev() {
+            let (above, block) = (&column[..i], column[i]);
+            let scaled = numerator.map(|of_row| apply(&block, &of_row));
+            let targets;
+            (targets, self.targets) = self.targets.split_at(i);
+            for (above, &target) in above.iter().zip(targets) {
+                subtract_product(&mut self.lower[target as usize], &scaled, above, reciprocal);
+            }
+            subtract_product(&mut later[of.row as usize - 1].pending, &scaled, &block, reciprocal);
+            column[i] = times(&scaled, reciprocal);
+        }
+        if let Some((x, s)) = right_side {
+            let sum = forward::<F, B, N>(joint, x, s);
+            let column = column.iter().zip(of_column);
+            column.for_each(|(block, of)| subtract(&mut later[of.row as usize - 1].y, &apply(block, &sum)));
+        }
     }
 }
 
@@ -336,16 +360,16 @@ impl<'a, A, C> Pairs<'a, A, C> {
 
 impl<F: Form<B, N>, const B: usize, const N: usize> KktFactorization for BlockKkt<F, B, N> {
     fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
-        self.place(mass, jacobian);
-        self.eliminate(None, PIVOT_TOLERANCE, None)?;
+        self.take_masses(mass);
+        self.eliminate(jacobian, None, PIVOT_TOLERANCE, None)?;
         self.refines = self.smallest_pivot < REFINED;
         Ok(())
     }
 
     fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot> {
-        self.place(mass, jacobian);
+        self.take_masses(mass);
         self.refines = false;
-        self.eliminate(Some(damping), 0.0, None)
+        self.eliminate(jacobian, Some(damping), 0.0, None)
     }
 
     fn factor_and_solve(
@@ -354,9 +378,9 @@ impl<F: Form<B, N>, const B: usize, const N: usize> KktFactorization for BlockKk
         jacobian: &[f64],
         right_side: &mut [f64],
     ) -> Result<(), VanishedPivot> {
-        self.place(mass, jacobian);
+        self.take_masses(mass);
         let s = self.take(right_side);
-        self.eliminate(None, PIVOT_TOLERANCE, Some(s))?;
+        self.eliminate(jacobian, None, PIVOT_TOLERANCE, Some(s))?;
         self.refines = self.smallest_pivot < REFINED;
         self.finish(right_side);
         Ok(())

@@ -1,6 +1,6 @@
 //! The columns of the factors: which blocks stand below the diagonal, and which of them the elimination of each changes.
 
-use super::form::{ABSENT, Form, Layout};
+use super::form::{Form, Layout};
 use super::{Block, Column};
 use crate::linalg::VanishedPivot;
 use crate::linalg::joints::{BODIES, Joint, Plan};
@@ -143,7 +143,7 @@ impl<const B: usize, const N: usize> Columns<B, N> {
 
 /// Where the entries of a joint stand.
 fn layout<F: Form<B, N>, const B: usize, const N: usize>(joint: &Joint, pattern: &SparsityPattern) -> Layout<N> {
-    let mut layout = [[ABSENT; N]; BODIES];
+    let mut layout = [[u32::MAX; N]; BODIES];
     for (entry, row, column) in joint.entries(pattern) {
         let (body, component) = body_and_component(column);
         if let (Some(side), Some(at)) = (joint.side_of(body), F::place(row, component)) {

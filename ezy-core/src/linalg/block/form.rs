@@ -4,24 +4,19 @@ use super::{Block, Column};
 use crate::linalg::joints::BODIES;
 use crate::model::coordinate::N_OF_BODY;
 
-/// Where each number that a joint keeps stands among its entries of G, for each body; [`ABSENT`] where it is zero.
+/// Where each number that a joint keeps stands among its entries of G, for each body; beyond all of them where it is zero.
 pub(super) type Layout<const N: usize> = [[u32; N]; BODIES];
-
-pub(super) const ABSENT: u32 = u32::MAX;
 
 /// How the part of Γ = G M^−½ that one joint has of one body is kept, in `N` numbers. Γ Γᵀ is A, and nothing else asks for masses.
 pub(super) trait Form<const B: usize, const N: usize>: Send {
     /// Whether all joints have `B` rows.
     const WHOLE: bool;
 
-    /// That of rows which have all their entries, the first body before the second.
+    /// That of rows which have all their entries, as many as there are numbers, the first body before the second.
     const USUAL: Layout<N>;
 
-    /// How many entries such rows have.
-    const N_USUAL: usize;
-
-    /// The component of each number.
-    const COMPONENTS: [usize; N];
+    /// The component of the number that stands there.
+    fn component(at: usize) -> usize;
 
     /// Where the entry of a row and a component is kept; none where it always is zero.
     fn place(row: usize, component: usize) -> Option<usize>;
@@ -30,8 +25,8 @@ pub(super) trait Form<const B: usize, const N: usize>: Send {
     #[inline(always)]
     fn scale(layout: &Layout<N>, entries: &[f64], roots: [&[f64; N_OF_BODY]; BODIES], slots: &mut [[f64; N]; BODIES]) {
         for ((slot, layout), root) in slots.iter_mut().zip(layout).zip(roots) {
-            for ((number, &entry), component) in slot.iter_mut().zip(layout).zip(Self::COMPONENTS) {
-                *number = entries.get(entry as usize).map_or(0.0, |entry| entry * root[component]);
+            for (at, (number, &entry)) in slot.iter_mut().zip(layout).enumerate() {
+                *number = entries.get(entry as usize).map_or(0.0, |entry| entry * root[Self::component(at)]);
             }
         }
     }
@@ -65,16 +60,11 @@ impl<const B: usize, const N: usize> Form<B, N> for Full {
         }
         layout
     };
-    const N_USUAL: usize = BODIES * N;
-    const COMPONENTS: [usize; N] = {
-        let mut components = [0; N];
-        let mut at = 0;
-        while at < N {
-            components[at] = at / B;
-            at += 1;
-        }
-        components
-    };
+
+    #[inline]
+    fn component(at: usize) -> usize {
+        at / B
+    }
 
     fn place(row: usize, component: usize) -> Option<usize> {
         Some(component * B + row)
@@ -112,8 +102,11 @@ pub(super) struct Aligned;
 impl Form<2, 4> for Aligned {
     const WHOLE: bool = true;
     const USUAL: Layout<4> = [[0, 4, 1, 5], [2, 6, 3, 7]];
-    const N_USUAL: usize = 8;
-    const COMPONENTS: [usize; 4] = [0, 1, 2, 2];
+
+    #[inline]
+    fn component(at: usize) -> usize {
+        at.min(2)
+    }
 
     fn place(row: usize, component: usize) -> Option<usize> {
         match component {

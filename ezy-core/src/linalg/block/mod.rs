@@ -6,7 +6,7 @@ mod fraction;
 #[cfg(test)]
 mod tests;
 
-use super::joints::Plan;
+use super::joints::{BODIES, Plan};
 use super::tolerances::blocks::REFINED;
 use super::{KktFactorization, VanishedPivot};
 use crate::model::coordinate::{N_OF_BODY, body_and_component, n_bodies};
@@ -241,7 +241,7 @@ fn begin<F: Form<B, N>, const B: usize, const N: usize>(
         let roots = joint.bodies.map(|body| &roots[body as usize]);
         match joint.layout {
             // without a question at each entry
-            0 => F::scale(&F::USUAL, &entries[..F::N_USUAL], roots, &mut joint.slots),
+            0 => F::scale(&F::USUAL, &entries[..BODIES * N], roots, &mut joint.slots),
             other => F::scale(&layouts[other as usize], entries, roots, &mut joint.slots),
         }
         (joint.pending, joint.y) = ([[0.0; B]; B], [0.0; B]);

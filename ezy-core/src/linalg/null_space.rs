@@ -183,7 +183,7 @@ impl NullSpaceKkt {
     }
 
     /// Replaces `[r; s]` by `[x; y]` with the factors alone.
-    fn substitute(&mut self, right_side: &mut [f64]) {
+    pub(crate) fn substitute(&mut self, right_side: &mut [f64]) {
         let Self { unit, rank, reduced, scale, redundant, mass_by_place: mass, forces, x, rows, .. } = self;
         let (n_q, r) = (unit.len(), rank.rank());
         let (force, row) = right_side.split_at_mut(n_q);
@@ -210,14 +210,16 @@ impl NullSpaceKkt {
         let (first, second) = rows.split_at_mut(r);
         first.iter_mut().zip(&*dependent).enumerate().for_each(|(i, (y, x))| *y = balance(i, *x));
         rank.solve_transposed(first);
-        // of all multipliers [y₁ − Tᵀ z; z] the smallest
-        let T = rank.redundant_by_independent();
-        let (second, off) = second.split_at_mut(T.nrows());
+        let (second, off) = second.split_at_mut(rank.n_redundant());
         off.fill(0.0);
-        let mut z = DVectorViewMut::from_slice(second, T.nrows());
-        z.gemv(1.0, &T, &DVectorView::from_slice(first, r), 0.0);
-        redundant.solve_mut(&mut z);
-        DVectorViewMut::from_slice(first, r).gemv_tr(-1.0, &T, &z, 1.0);
+        if !second.is_empty() {
+            // of all multipliers [y₁ − Tᵀ z; z] the smallest
+            let T = rank.redundant_by_independent();
+            let mut z = DVectorViewMut::from_slice(second, T.nrows());
+            z.gemv(1.0, &T, &DVectorView::from_slice(first, r), 0.0);
+            redundant.solve_mut(&mut z);
+            DVectorViewMut::from_slice(first, r).gemv_tr(-1.0, &T, &z, 1.0);
+        }
         for (place, x) in x.iter().enumerate() {
             force[rank.column(place)] = x / unit[rank.column(place)];
         }

@@ -167,6 +167,11 @@ impl RankRevealing {
         }
     }
 
+    /// Entries of G, as of its pattern.
+    pub(crate) fn entries(&self) -> &[(usize, usize, usize)] {
+        &self.entries
+    }
+
     /// Number of independent rows.
     pub(crate) fn rank(&self) -> usize {
         self.rank

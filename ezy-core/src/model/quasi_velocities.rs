@@ -85,12 +85,14 @@ pub struct Start<'a> {
 pub struct Nodes<'a> {
     /// u and the coordinates of [`QuasiVelocitiesInfo::feedback`], which are written.
     pub values: &'a mut [Eight],
-    /// Their slopes of the sweep before.
-    pub before: &'a [Eight],
-    /// Their slopes, which are written.
-    pub slopes: &'a mut [Eight],
+    /// Their slopes: what sweeps begin with, and what they end with.
+    pub slopes: &'a mut Vec<Eight>,
+    /// As many numbers, which are overwritten.
+    pub before: &'a mut Vec<Eight>,
     /// All coordinates; those that slopes depend on are written.
     pub q: &'a mut [Eight],
+    /// All velocities, which are written.
+    pub v: &'a mut [Eight],
 }
 
 /// [`QuasiVelocities`] as a run takes them: accelerations at eight states at once, in the widest vector registers of the machine.
@@ -104,11 +106,18 @@ pub trait EquationsInQuasiVelocities: Send + Sync {
     /// [`QuasiVelocities::values_of_time`].
     fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]);
 
-    /// One sweep of Picard's iteration at eight times.
+    /// Sweeps of Picard's iteration at eight times, as long as `goes_on` says so of the largest change of a slope, each with its weight, and of the slopes.
     ///
     /// Quasi-velocities and coordinates there are what they are at the start and `h` times the integrals of their slopes, then slopes are computed at
-    /// these: [`QuasiVelocities::quasi_accelerations`]. Returns the largest change of a slope, each with its weight.
-    fn sweep_in_lanes(&self, of: Times<'_>, start: Start<'_>, weights: &[f64], at: Nodes<'_>) -> f64;
+    /// these: [`QuasiVelocities::quasi_accelerations`]. After the last sweep quasi-velocities, coordinates and velocities are those of its slopes.
+    fn sweeps_in_lanes(
+        &self,
+        of: Times<'_>,
+        start: Start<'_>,
+        weights: &[f64],
+        at: Nodes<'_>,
+        goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
+    );
 }
 
 impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocities for S {
@@ -130,27 +139,44 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocitie
         );
     }
 
-    fn sweep_in_lanes(&self, of: Times<'_>, start: Start<'_>, weights: &[f64], at: Nodes<'_>) -> f64 {
+    fn sweeps_in_lanes(
+        &self,
+        of: Times<'_>,
+        start: Start<'_>,
+        weights: &[f64],
+        at: Nodes<'_>,
+        goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
+    ) {
         in_widest(
             #[inline(always)]
             || {
-                let n = <S as QuasiVelocities<Eight>>::N_QUASI + <S as QuasiVelocities<Eight>>::FEEDBACK.len();
-                let (first, weights) = (&start.values[..n], &weights[..n]);
-                let (values, before, slopes) = (&mut at.values[..n], &at.before[..n], &mut at.slopes[..n]);
-                for i in 0..n {
-                    values[i] = of.integral(&before[i], first[i]);
+                let n_u = <S as QuasiVelocities<Eight>>::N_QUASI;
+                let n = n_u + <S as QuasiVelocities<Eight>>::FEEDBACK.len();
+                let Nodes { values, slopes, before, q, v } = at;
+                let (first, weights, values) = (&start.values[..n], &weights[..n], &mut values[..n]);
+                let mut goes_on_from_here = true;
+                loop {
+                    for i in 0..n {
+                        values[i] = of.integral(&slopes[i], first[i]);
+                    }
+                    let (u, of_feedback) = values.split_at(n_u);
+                    for (&i, value) in <S as QuasiVelocities<Eight>>::FEEDBACK.iter().zip(of_feedback) {
+                        q[i] = *value;
+                    }
+                    for &(i, k) in <S as QuasiVelocities<Eight>>::INTEGRALS {
+                        q[i] = of.integral(&u[k], start.q[i]);
+                    }
+                    if !goes_on_from_here {
+                        break;
+                    }
+                    std::mem::swap(before, slopes);
+                    let (before, slopes) = (&before[..n], &mut slopes[..n]);
+                    let (a, rate) = slopes.split_at_mut(n_u);
+                    self.quasi_accelerations(of.c, *of.t, q, u, of.of_time, a, rate);
+                    goes_on_from_here = goes_on(largest_change(slopes, before, weights), slopes);
                 }
-                let (u, of_feedback) = values.split_at(<S as QuasiVelocities<Eight>>::N_QUASI);
-                for (&i, value) in <S as QuasiVelocities<Eight>>::FEEDBACK.iter().zip(of_feedback) {
-                    at.q[i] = *value;
-                }
-                for &(i, k) in <S as QuasiVelocities<Eight>>::INTEGRALS {
-                    at.q[i] = of.integral(&u[k], start.q[i]);
-                }
-                let (a, rate) = slopes.split_at_mut(<S as QuasiVelocities<Eight>>::N_QUASI);
-                self.quasi_accelerations(of.c, *of.t, at.q, u, of.of_time, a, rate);
-                largest_change(slopes, before, weights)
+                self.velocities(of.c, *of.t, q, &values[..n_u], v);
             },
-        )
+        );
     }
 }

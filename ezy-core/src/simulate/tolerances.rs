@@ -197,6 +197,12 @@ pub(crate) mod monitors {
 
 /// The runs that estimate an error.
 pub(crate) mod error_estimate {
+    /// Steps of a second run over those of the first up to which something else than the tolerance limits most of them. A hundredth of it asks an order of 8
+    /// for 1.67 times as many, and a lower one for more.
+    /// Unit: 1.
+    /// Test: `cross_estimates_of_runs_with_steps_as_long_are_not_too_small`.
+    pub(crate) const AS_MANY: f64 = 1.4;
+
     /// Tolerance of a second run over that of the first, where none with a smaller one comes to its end.
     /// Unit: 1.
     /// Test: `invariant_estimate_without_a_tighter_run_is_too_large`.

@@ -85,14 +85,14 @@ impl InLanes<'_> {
     fn accelerations(&self, t: f64, q: &[f64], u: &[f64], info: &QuasiVelocitiesInfo) -> (Vec<f64>, Vec<f64>) {
         let n = u.len() + info.feedback.len();
         let [mut values, mut slopes, mut of_time] = [n, n, info.n_of_time].map(|n| vec![Eight::from_f64(0.0); n]);
-        let (t, before, mut at) = (Eight::from_f64(t), slopes.clone(), eights(q));
+        let (t, mut before, mut at, mut v) = (Eight::from_f64(t), slopes.clone(), eights(q), eights(q));
         self.equations.values_of_time_in_lanes(&self.fixed, &t, &mut of_time);
         // a sweep of no length
         let integrals = [Eight::from_f64(0.0); N_LANES];
         let of = Times { c: &self.fixed, of_time: &of_time, t: &t, h: 0.0, integrals: &integrals };
         let start: Vec<f64> = u.iter().copied().chain(info.feedback.iter().map(|&i| q[i])).collect();
-        let nodes = Nodes { values: &mut values, before: &before, slopes: &mut slopes, q: &mut at };
-        self.equations.sweep_in_lanes(of, Start { values: &start, q }, &vec![0.0; n], nodes);
+        let nodes = Nodes { values: &mut values, slopes: &mut slopes, before: &mut before, q: &mut at, v: &mut v };
+        self.equations.sweeps_in_lanes(of, Start { values: &start, q }, &vec![0.0; n], nodes, &mut |_, _| false);
         let rates = slopes.split_off(u.len());
         let first = |of: Vec<Eight>| of.into_iter().map(|of| of.0[0]).collect();
         (first(slopes), first(rates))

@@ -31,15 +31,20 @@ pub(super) fn error_of_slopes(
     steepness: f64,
 ) -> [f64; 2] {
     let (mut next, mut decay) = next_coefficient(sizes);
-    let (mut defect, mut part, mut own) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let (mut defect, mut own) = (0.0_f64, 0.0_f64);
+    // squares of the coefficient of degree 8 of the number that is least smooth, and of its largest one
+    let mut roughest = [0.0, 1.0];
     for ((coefficients, weight), at_start) in coefficients.iter().zip(weights).zip(at_start) {
         let lacks = weight * (lanes::sum(&AT_START, coefficients) - at_start).abs();
         defect = defect.max(lacks);
         let sizes = (coefficients.abs() * Eight::from_f64(*weight)).0;
         // what changes a number by less than its tolerance changes no other
-        let largest = sizes.iter().copied().fold(1.0, f64::max);
-        part = part.max(next_coefficient(&sizes).0 / largest);
-        own = own.max(left_by(&sizes, lacks - OF_SWEEPS));
+        let largest = sizes.iter().copied().fold(1.0, f64::max).powi(2);
+        let next = next_by_two_rates(&sizes).square;
+        if next * roughest[1] > roughest[0] * largest {
+            roughest = [next, largest];
+        }
+        own = own.max(next_by_one_rate(&sizes).left(lacks - OF_SWEEPS));
     }
     // sweeps leave a part of the tolerance
     defect -= OF_SWEEPS;
@@ -48,8 +53,8 @@ pub(super) fn error_of_slopes(
         next = defect;
     }
     let linear = (0.5 * steepness).powi(N as i32) / DOUBLE_FACTORIAL_OF_15;
-    let seen = linear + steepness * part + decay.powi(N as i32);
-    [(next * seen).max(own - rounding_of(sizes)) / (2.0 * N as f64 + 1.0), next]
+    let seen = linear + steepness * (roughest[0] / roughest[1]).sqrt() + decay.powi(N as i32);
+    [(next * seen).max(own.sqrt() - rounding_of(sizes)) / (2.0 * N as f64 + 1.0), next]
 }
 
 /// The error of the end of a step over the tolerance by the slopes there. A force that changes behind the last node is seen by nothing else: what the
@@ -58,14 +63,15 @@ pub(super) fn error_at_end(coefficients: &[Eight], weights: &[f64], sizes: &[f64
     let rounding = OF_SWEEPS + rounding_of(sizes);
     let (mut unexpected, mut own) = (0.0_f64, 0.0_f64);
     for ((coefficients, weight), slope) in coefficients.iter().zip(weights).zip(at_end) {
-        let sizes = (coefficients.abs() * Eight::from_f64(*weight)).0;
-        let [next, decay] = continued(&sizes);
-        let to_come = if next > 0.0 { next / (1.0 - decay) } else { 0.0 };
         let defect = weight * (lanes::sum(&AT_END, coefficients) - slope).abs() - rounding;
-        unexpected = unexpected.max(defect - UNEXPECTED * to_come);
-        own = own.max(left_by(&sizes, defect));
+        let next = next_by_one_rate(&(coefficients.abs() * Eight::from_f64(*weight)).0);
+        own = own.max(next.left(defect));
+        // what is to come is more than what comes next, which needs no roots
+        if defect > unexpected && defect * defect > UNEXPECTED * UNEXPECTED * next.square {
+            unexpected = unexpected.max(defect - UNEXPECTED * next.to_come());
+        }
     }
-    ((1.0 - NODES.0[N - 1]) * unexpected).max((own - rounding) / (2.0 * N as f64 + 1.0))
+    ((1.0 - NODES.0[N - 1]) * unexpected).max((own.sqrt() - rounding) / (2.0 * N as f64 + 1.0))
 }
 
 /// What rounding leaves of slopes whose Legendre coefficients are of these sizes at most.
@@ -73,29 +79,50 @@ fn rounding_of(sizes: &[f64; N]) -> f64 {
     ROUNDING * sizes.iter().copied().fold(0.0, f64::max)
 }
 
-/// The size of the coefficient of degree 16 of one number, which lacks so much at an end: that is the coefficient of degree 8, and more.
-fn left_by(sizes: &[f64; N], defect: f64) -> f64 {
-    let [next, decay] = continued(sizes);
-    next.max(defect) * decay.powi(N as i32)
+/// The Legendre coefficient of degree 8, which is not known, by those of lower degrees. Squares, which take fewer roots.
+struct Next {
+    square: f64,
+    /// Each coefficient over the one before, squared.
+    decay: f64,
 }
 
-/// The size of the coefficient of degree 8 of one number, where each is smaller by the same factor, which stands behind it: that of the last four degrees,
-/// since coefficients between may be small by chance.
-fn continued(sizes: &[f64; N]) -> [f64; 2] {
+impl Next {
+    fn new(sizes: &[f64; N], decay: f64) -> Self {
+        Self { square: decay * (sizes[7] * sizes[7]).max(decay * sizes[6] * sizes[6]), decay }
+    }
+
+    /// The square of the coefficient of degree 16 of a number that lacks so much at an end, or nothing below zero: that is the coefficient of degree 8, and
+    /// more.
+    fn left(&self, defect: f64) -> f64 {
+        self.square.max(defect.max(0.0).powi(2)) * self.decay.powi(N as i32)
+    }
+
+    /// Sum of this coefficient and those that follow.
+    fn to_come(&self) -> f64 {
+        if self.square > 0.0 { self.square.sqrt() / (1.0 - self.decay.sqrt()) } else { 0.0 }
+    }
+}
+
+/// Of one number. Each coefficient is smaller by the same factor, which stands behind it: that of the last four degrees, since coefficients between may be
+/// small by chance.
+fn next_by_one_rate(sizes: &[f64; N]) -> Next {
     let [first, last] = [2, 6].map(|m| sizes[m].max(sizes[m + 1]));
-    let decay = if first > last { (last / first).sqrt().sqrt() } else { 1.0 };
-    [decay * sizes[7].max(decay * sizes[6]), decay]
+    Next::new(sizes, if first > last { (last / first).sqrt() } else { 1.0 })
 }
 
-/// The size of the Legendre coefficient of degree 8, which is not known, from those of lower degrees: each is smaller by the same factor, which
-/// stands behind it, or by a factor that grows as it did, where a force is less smooth than what stands out in the first coefficients. Those of even or
-/// odd degree may be small by symmetry.
-pub(super) fn next_coefficient(sizes: &[f64; N]) -> (f64, f64) {
+/// Each coefficient is smaller by the same factor, which stands behind it, or by a factor that grows as it did, where a force is less smooth than what
+/// stands out in the first coefficients. Those of even or odd degree may be small by symmetry.
+fn next_by_two_rates(sizes: &[f64; N]) -> Next {
     let [first, earlier, later] = [2, 4, 6].map(|m| sizes[m].max(sizes[m + 1]));
-    let decay_of = |from: f64, to: f64| if from > to { (to / from).sqrt() } else { 1.0 };
+    let decay_of = |from: f64, to: f64| if from > to { to / from } else { 1.0 };
     let (before, last) = (decay_of(first, earlier), decay_of(earlier, later));
-    let decay = if last > before { (last * last / before).min(1.0) } else { last };
-    (decay * sizes[7].max(decay * sizes[6]), decay)
+    Next::new(sizes, if last > before { (last * last / before).min(1.0) } else { last })
+}
+
+/// The size of the Legendre coefficient of degree 8, and of each over the one before: [`next_by_two_rates`].
+pub(super) fn next_coefficient(sizes: &[f64; N]) -> (f64, f64) {
+    let Next { square, decay } = next_by_two_rates(sizes);
+    (square.sqrt(), decay.sqrt())
 }
 
 #[cfg(test)]
@@ -154,7 +181,7 @@ mod tests {
         for small in [None, Some(4)] {
             let mut sizes = falling(0.1, 1.0);
             small.into_iter().for_each(|m| sizes[m..m + 2].fill(1e-3));
-            let left = left_by(&sizes, 0.0);
+            let left = next_by_one_rate(&sizes).left(0.0).sqrt();
             assert!((left / 1e-9 - 1.0).abs() <= ROUNDING_OF_SUMS, "{small:?}: {left}");
         }
     }

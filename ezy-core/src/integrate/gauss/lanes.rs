@@ -41,6 +41,21 @@ pub(super) fn coefficients(values: &[Eight], out: &mut [Eight]) {
     );
 }
 
+/// Legendre coefficients of each number, and the largest one of each degree, each number with its weight.
+pub(super) fn coefficients_and_sizes(values: &[Eight], weights: &[f64], out: &mut [Eight]) -> [f64; N] {
+    in_widest(
+        #[inline(always)]
+        || {
+            let mut largest = Lanes([0.0; N]);
+            for ((values, weight), out) in values.iter().zip(weights).zip(out) {
+                *out = times(&TO_COEFFICIENTS, values);
+                largest = largest.max(out.abs() * Eight::from_f64(*weight));
+            }
+            largest.0
+        },
+    )
+}
+
 /// Values, by the coefficients up to a degree, at the nodes of a step that begins at `start` and is `length` long, in units of the step that
 /// the coefficients belong to.
 pub(super) fn evaluate(coefficients: &[Eight], degree: usize, start: f64, length: f64, out: &mut [Eight]) {

@@ -263,13 +263,11 @@ impl Gauss {
     /// Errors over the tolerance at the end of the step and within it, from the Legendre coefficients of the slopes.
     fn errors(&mut self, from: Node<'_>, steepness: f64) -> [f64; 2] {
         let Self { nodes, power, of_power, coefficients, weights, sizes, .. } = self;
-        lanes::coefficients(&nodes.a, coefficients);
-        *sizes = lanes::sizes(coefficients, weights);
+        *sizes = lanes::coefficients_and_sizes(&nodes.a, weights, coefficients);
         let [error, next] = error_of_slopes(coefficients, weights, sizes, from.a, steepness);
         let mut of_works = 0.0;
         if !power.is_empty() {
-            lanes::coefficients(power, of_power);
-            of_works = next_coefficient(&lanes::sizes(of_power, &self.work_weights)).0;
+            of_works = next_coefficient(&lanes::coefficients_and_sizes(power, &self.work_weights, of_power)).0;
         }
         [error, LARGEST_INTEGRAL * next.max(of_works)]
     }

@@ -135,13 +135,14 @@ impl QuasiSweeps {
             return;
         }
         let Self { start, values, slopes, before, of_time, weights, .. } = self;
+        let EightStates { fixed, q, v, .. } = nodes;
         let t = Eight::from_f64(from.t);
-        equations.values_of_time_in_lanes(&nodes.fixed, &t, of_time);
+        equations.values_of_time_in_lanes(fixed, &t, of_time);
         // a step of no length
-        let of = Times { c: &nodes.fixed, of_time, t: &t, h: 0.0, integrals: &TO_INTEGRALS };
-        before.fill(Eight::from_f64(0.0));
-        let at = Nodes { values, before, slopes, q: &mut nodes.q };
-        equations.sweep_in_lanes(of, Start { values: start, q: &from.q }, weights, at);
+        let of = Times { c: fixed, of_time, t: &t, h: 0.0, integrals: &TO_INTEGRALS };
+        slopes.fill(Eight::from_f64(0.0));
+        let (start, at) = (Start { values: start, q: &from.q }, Nodes { values, before, slopes, q, v });
+        equations.sweeps_in_lanes(of, start, weights, at, &mut |_, _| false);
     }
 
     /// Sweeps in quasi-velocities until slopes at the nodes belong to the values there, and writes `q` and `v` of the nodes. `None` where the step cannot be
@@ -170,24 +171,17 @@ impl QuasiSweeps {
         equations.values_of_time_in_lanes(&nodes.fixed, &nodes.t, &mut self.of_time);
 
         let Self { start, values, slopes, before, of_time, weights, .. } = self;
-        let of = Times { c: &nodes.fixed, of_time, t: &nodes.t, h, integrals: &TO_INTEGRALS };
-        let start = Start { values: start, q: &from.q };
-        let mut sweeps = Sweeps::default();
-        let converged = loop {
-            std::mem::swap(before, slopes);
-            let at = Nodes { values, before, slopes, q: &mut nodes.q };
-            let change = equations.sweep_in_lanes(of, start, weights, at);
-            if let Some(ended) = sweeps.see(change, || lanes::size(slopes, weights)) {
-                break ended;
-            }
-        };
-        // velocities by the last slopes, as sweeps in all coordinates end with
-        lanes::integrate(h, start.values, slopes, values);
-        let (u, q) = values.split_at(self.n_u);
-        self.info.feedback.iter().zip(q).for_each(|(&i, q)| nodes.q[i] = *q);
-        lanes::integrate_some(h, start.q, u, self.info.integrals, &mut nodes.q);
-        equations.velocities_in_lanes(&nodes.fixed, &nodes.t, &nodes.q, u, &mut nodes.v);
-        lanes::coefficients(slopes, &mut self.coefficients);
+        let EightStates { fixed, t, q, v, .. } = nodes;
+        let of = Times { c: fixed, of_time, t, h, integrals: &TO_INTEGRALS };
+        let (start, at) = (Start { values: start, q: &from.q }, Nodes { values, before, slopes, q, v });
+        let (mut sweeps, mut converged) = (Sweeps::default(), None);
+        equations.sweeps_in_lanes(of, start, weights, at, &mut |change, slopes| {
+            let ended = sweeps.see(change, || lanes::size(slopes, weights));
+            let goes_on = ended.is_none();
+            converged = ended.flatten();
+            goes_on
+        });
+        lanes::coefficients(&self.slopes, &mut self.coefficients);
         self.is_tried = true;
         system.counters().evaluations += N as u64 * u64::from(sweeps.n());
         Some(converged)

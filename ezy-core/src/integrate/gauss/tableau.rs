@@ -38,7 +38,8 @@ pub(super) const fn legendre(x: f64) -> [f64; N + 2] {
     let mut k = 1;
     while k <= N {
         let n = k as f64;
-        p[k + 1] = ((2.0 * n + 1.0) * x * p[k] - n * p[k - 1]) / (n + 1.0);
+        // the quotients are constants
+        p[k + 1] = (2.0 * n + 1.0) / (n + 1.0) * x * p[k] - n / (n + 1.0) * p[k - 1];
         k += 1;
     }
     p

@@ -286,12 +286,12 @@ pub(crate) mod gauss {
     /// Test: `invariant_steps_do_not_grow_after_one_that_failed`.
     pub(crate) const DIVERGED: f64 = 0.5;
 
-    /// Steps at which sweeps converge more slowly than at this rate become shorter. With a rate ρ proportional to the length of the step, h, sweeps
-    /// reach a goal in a number proportional to 1/ln(1/ρ), so that fewest are needed for a length of time at ρ = 1/e; that the first guess gets
-    /// worse with longer steps makes it less.
+    /// Steps over which the equations change slopes by more than this become shorter. Sweep n multiplies changes by about z/n, so that a number of sweeps that
+    /// grows with z reaches a goal: for a length of time they are as many from 4 to 12 as the rest of a step is fewer. Beyond that changes grow in the first
+    /// sweeps, by up to e^z, and steps fail.
     /// Unit: 1.
-    /// Test: `analytic_slow_sweeps_shorten_steps`.
-    pub(crate) const BEST_RATE: f64 = 0.2;
+    /// Test: `analytic_steep_equations_shorten_steps`.
+    pub(crate) const BEST_STEEPNESS: f64 = 6.0;
 }
 
 /// Iterations and lengths of steps of Radau.

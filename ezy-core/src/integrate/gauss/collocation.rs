@@ -166,7 +166,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
             match self.method.attempt(system, from, h, self.tolerance, to) {
-                Ok(Collocated::Solved { mut error, dense_error, rate }) => {
+                Ok(Collocated::Solved { mut error, dense_error, steepness }) => {
                     let passage = discontinuities.passage(system, from, to);
                     if let Passage::Ends(shorter) = passage
                         && n_discontinuities < MAX_DISCONTINUITIES
@@ -185,7 +185,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
                     if is_layer {
                         error = error.max(dense_error);
                     }
-                    let factor = self.control.factor(error, rate);
+                    let factor = self.control.factor(error, steepness);
                     if error <= 1.0 {
                         to.t = t_next;
                         self.dense_error = dense_error;

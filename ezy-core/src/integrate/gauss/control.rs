@@ -2,7 +2,7 @@
 
 use super::{Collocated, tableau::N};
 use crate::archive::Archive;
-use crate::integrate::tolerances::gauss::{AIM, BEST_RATE, DIVERGED, GROW, SHRINK};
+use crate::integrate::tolerances::gauss::{AIM, BEST_STEEPNESS, DIVERGED, GROW, SHRINK};
 
 /// The error at the end of a step goes with this power of its length.
 const ERROR_ORDER: f64 = 2.0 * N as f64 + 1.0;
@@ -18,12 +18,12 @@ pub(crate) struct GaussControl {
 }
 
 impl GaussControl {
-    /// Factor for the step after one with this error over the tolerance and rate of convergence; it is accepted where the error is at most one.
-    pub(crate) fn factor(&mut self, error: f64, rate: f64) -> f64 {
+    /// Factor for the step after one with this error over the tolerance and this steepness of the equations; it is accepted where the error is at most one.
+    pub(crate) fn factor(&mut self, error: f64, steepness: f64) -> f64 {
         let most = if self.has_failed { 1.0 } else { GROW };
         self.has_failed = error > 1.0 || error.is_nan();
         let by_error = (AIM / error).powf(1.0 / ERROR_ORDER);
-        if by_error.is_nan() { SHRINK } else { by_error.min(BEST_RATE / rate).min(most).max(SHRINK) }
+        if by_error.is_nan() { SHRINK } else { by_error.min(BEST_STEEPNESS / steepness).min(most).max(SHRINK) }
     }
 
     /// Writes it, or reads another one over it.
@@ -55,17 +55,18 @@ mod tests {
     /// Errors go with the power 17 of the length: a hundredth of the tolerance keeps the length, and 2^17 times that halves it.
     #[test]
     fn analytic_errors_change_lengths_by_their_seventeenth_root() {
-        let factor = |error: f64, rate: f64| GaussControl::default().factor(error, rate);
+        let factor = |error: f64, steepness: f64| GaussControl::default().factor(error, steepness);
         for (error, expected) in [(0.01, 1.0), (0.01 * 2.0_f64.powi(17), 0.5), (0.01 * 2.0_f64.powi(-17), 2.0)] {
             assert!((factor(error, 0.01) / expected - 1.0).abs() <= ROUNDING, "{error}");
         }
         assert_eq!([factor(0.0, 0.01), factor(1e30, 0.01), factor(f64::NAN, 0.01)], [4.0, 0.2, 0.2]);
     }
 
-    /// A rate of 0.4 asks for half the length, whatever the error.
+    /// A steepness of twice the best asks for half the length, whatever the error.
     #[test]
-    fn analytic_slow_sweeps_shorten_steps() {
-        assert_eq!([0.4, 0.8, 0.1].map(|rate| GaussControl::default().factor(1e-30, rate)), [0.5, 0.25, 2.0]);
+    fn analytic_steep_equations_shorten_steps() {
+        let factors = [12.0, 24.0, 3.0].map(|steepness| GaussControl::default().factor(1e-30, steepness));
+        assert_eq!(factors, [0.5, 0.25, 2.0]);
     }
 
     #[test]

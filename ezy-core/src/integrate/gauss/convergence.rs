@@ -4,8 +4,6 @@ use crate::integrate::tolerances::gauss::{GROWING, MAX_SWEEPS, OF_SWEEPS, ROUNDI
 
 /// How sweeps converged.
 pub(super) struct Convergence {
-    /// Mean of the rates.
-    pub rate: f64,
     /// By how much the equations change slopes over the step, at most: sweep n has the rate z/n where they are linear.
     pub steepness: f64,
 }
@@ -16,7 +14,7 @@ impl Convergence {
         let n_sweeps = f64::from(n_sweeps);
         let rate =
             if n_sweeps > 1.0 { last.max(f64::EPSILON * f64::EPSILON).powf(1.0 / (n_sweeps - 1.0)) } else { 0.0 };
-        Self { rate, steepness: n_sweeps * rate }
+        Self { steepness: n_sweeps * rate }
     }
 }
 

@@ -24,8 +24,8 @@ use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, legendre, weights_up_to};
 /// What became of a step that was tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Collocated {
-    /// Errors over the tolerance, at the end of the step and of the polynomial within it, and the mean rate at which sweeps converged.
-    Solved { error: f64, dense_error: f64, rate: f64 },
+    /// Errors over the tolerance, at the end of the step and of the polynomial within it, and by how much the equations change slopes over the step.
+    Solved { error: f64, dense_error: f64, steepness: f64 },
     /// The sweeps do not converge.
     Diverged,
 }
@@ -150,11 +150,11 @@ impl Gauss {
                 self.sweep(system, from.state, h)?
             }
         };
-        let Some(Convergence { rate, steepness }) = converged else { return Ok(Collocated::Diverged) };
+        let Some(Convergence { steepness }) = converged else { return Ok(Collocated::Diverged) };
         self.complete(system, from.state, h);
         self.end(from.state, h, to);
         let [error, dense_error] = self.errors(from, steepness);
-        Ok(Collocated::Solved { error, dense_error, rate })
+        Ok(Collocated::Solved { error, dense_error, steepness })
     }
 
     /// The smallest pivot at the nodes of the step that was tried last; infinite where accelerations were not eliminated.

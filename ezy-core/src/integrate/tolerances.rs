@@ -286,9 +286,9 @@ pub(crate) mod gauss {
     /// Test: `invariant_steps_do_not_grow_after_one_that_failed`.
     pub(crate) const DIVERGED: f64 = 0.5;
 
-    /// Steps over which the equations change slopes by more than this become shorter. Sweep n multiplies changes by about z/n, so that a number of sweeps that
-    /// grows with z reaches a goal: for a length of time they are as many from 4 to 12 as the rest of a step is fewer. Beyond that changes grow in the first
-    /// sweeps, by up to e^z, and steps fail.
+    /// Largest steepness of a step: the number of its sweeps times their mean rate, which is up to e times the z of linear equations, whose sweep n multiplies changes
+    /// by z/n. From 4 to 12 sweeps for a length of time are about as many, and longer steps save what a step costs besides; beyond, changes grow in the first
+    /// sweeps, and steps fail.
     /// Unit: 1.
     /// Test: `analytic_steep_equations_shorten_steps`.
     pub(crate) const BEST_STEEPNESS: f64 = 6.0;

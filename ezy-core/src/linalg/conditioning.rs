@@ -60,7 +60,7 @@ impl ConditionEstimator {
                 .iter()
                 .enumerate()
                 .fold((0, 0.0), |(i, largest), (j, z)| if z.abs() > largest { (j, z.abs()) } else { (i, largest) });
-            // where no other unit vector promises more, what was found is a maximum
+            // where no other unit vector promises more, what was found is a maximum; the same one promises as much but for rounding
             if slope <= of_inverse || unit == Some(steepest) {
                 break;
             }
@@ -68,7 +68,10 @@ impl ConditionEstimator {
             self.x.fill(0.0);
             self.x[steepest] = 1.0;
         }
-        Conditioning { condition: norm * of_inverse, pivot, row: Some(row) }
+        let condition = norm * of_inverse;
+        // no number where a solve overflowed
+        let condition = if condition > 0.0 { condition } else { f64::INFINITY };
+        Conditioning { condition, pivot, row: Some(row) }
     }
 
     /// K⁻¹ of `right_side` (`n_v + n_c`), refined to the last digits, with the factors of the last estimate, which was finite.

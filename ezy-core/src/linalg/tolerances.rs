@@ -97,8 +97,8 @@ pub(crate) mod sizes {
 
 /// The condition number.
 pub(crate) mod conditioning {
-    /// Solves of an estimate; two or three are the rule.
-    /// Unit: solves.
+    /// Pairs of solves of an estimate; two are the rule.
+    /// Unit: pairs.
     /// Test: `invariant_condition_rises_where_rows_come_near_each_other`.
     pub(crate) const MAX_SOLVES: usize = 5;
 

@@ -106,6 +106,14 @@ fn cross_estimates_of_runs_with_steps_as_long_are_not_too_small() {
     assert!(judged.iter().all(|judged| judged.ratio() >= 1.0 / FACTOR), "{judged:?}");
 }
 
+/// A hundredth of the tolerance takes DOP853 1.8 times the steps: it tells the error by itself.
+#[test]
+fn invariant_estimate_of_a_run_of_many_steps_is_by_its_own_method() {
+    let scene = ezy_roller::Driven::default();
+    let run = simulation(&scene).method(Method::dop853(1e-6)).until(10.0).estimate_error().run().unwrap();
+    assert_eq!(estimate(&run).second.name(), "dop853");
+}
+
 model! {
     /// A cart that shakes too fast for the samples of fixed steps.
     pub model Shaken {

@@ -40,11 +40,11 @@ pub(super) fn error_of_slopes(
         let sizes = (coefficients.abs() * Eight::from_f64(*weight)).0;
         // what changes a number by less than its tolerance changes no other
         let largest = sizes.iter().copied().fold(1.0, f64::max).powi(2);
-        let next = next_by_two_rates(&sizes).square;
+        let next = next_by_two_decays(&sizes).square;
         if next * roughest[1] > roughest[0] * largest {
             roughest = [next, largest];
         }
-        own = own.max(next_by_one_rate(&sizes).left(lacks - OF_SWEEPS));
+        own = own.max(next_by_one_decay(&sizes).left(lacks - OF_SWEEPS));
     }
     // sweeps leave a part of the tolerance
     defect -= OF_SWEEPS;
@@ -64,7 +64,7 @@ pub(super) fn error_at_end(coefficients: &[Eight], weights: &[f64], sizes: &[f64
     let (mut unexpected, mut own) = (0.0_f64, 0.0_f64);
     for ((coefficients, weight), slope) in coefficients.iter().zip(weights).zip(at_end) {
         let defect = weight * (lanes::sum(&AT_END, coefficients) - slope).abs() - rounding;
-        let next = next_by_one_rate(&(coefficients.abs() * Eight::from_f64(*weight)).0);
+        let next = next_by_one_decay(&(coefficients.abs() * Eight::from_f64(*weight)).0);
         own = own.max(next.left(defect));
         // what is to come is more than what comes next, which needs no roots
         if defect > unexpected && defect * defect > UNEXPECTED * UNEXPECTED * next.square {
@@ -79,50 +79,52 @@ fn rounding_of(sizes: &[f64; N]) -> f64 {
     ROUNDING * sizes.iter().copied().fold(0.0, f64::max)
 }
 
-/// The Legendre coefficient of degree 8, which is not known, by those of lower degrees. Squares, which take fewer roots.
+/// The square of the Legendre coefficient of degree 8, which is not known, by those of lower degrees: so one root is taken in the end, and not one a number.
 struct Next {
     square: f64,
-    /// Each coefficient over the one before, squared.
-    decay: f64,
+    /// Square of each coefficient over the one before.
+    decay_squared: f64,
 }
 
 impl Next {
-    fn new(sizes: &[f64; N], decay: f64) -> Self {
-        Self { square: decay * (sizes[7] * sizes[7]).max(decay * sizes[6] * sizes[6]), decay }
+    fn new(sizes: &[f64; N], decay_squared: f64) -> Self {
+        let square = decay_squared * (sizes[7] * sizes[7]).max(decay_squared * sizes[6] * sizes[6]);
+        Self { square, decay_squared }
     }
 
     /// The square of the coefficient of degree 16 of a number that lacks so much at an end, or nothing below zero: that is the coefficient of degree 8, and
     /// more.
     fn left(&self, defect: f64) -> f64 {
-        self.square.max(defect.max(0.0).powi(2)) * self.decay.powi(N as i32)
+        self.square.max(defect.max(0.0).powi(2)) * self.decay_squared.powi(N as i32)
     }
 
     /// Sum of this coefficient and those that follow.
     fn to_come(&self) -> f64 {
-        if self.square > 0.0 { self.square.sqrt() / (1.0 - self.decay.sqrt()) } else { 0.0 }
+        if self.square > 0.0 { self.square.sqrt() / (1.0 - self.decay_squared.sqrt()) } else { 0.0 }
     }
 }
 
 /// Of one number. Each coefficient is smaller by the same factor, which stands behind it: that of the last four degrees, since coefficients between may be
 /// small by chance.
-fn next_by_one_rate(sizes: &[f64; N]) -> Next {
+fn next_by_one_decay(sizes: &[f64; N]) -> Next {
     let [first, last] = [2, 6].map(|m| sizes[m].max(sizes[m + 1]));
     Next::new(sizes, if first > last { (last / first).sqrt() } else { 1.0 })
 }
 
 /// Each coefficient is smaller by the same factor, which stands behind it, or by a factor that grows as it did, where a force is less smooth than what
 /// stands out in the first coefficients. Those of even or odd degree may be small by symmetry.
-fn next_by_two_rates(sizes: &[f64; N]) -> Next {
+fn next_by_two_decays(sizes: &[f64; N]) -> Next {
     let [first, earlier, later] = [2, 4, 6].map(|m| sizes[m].max(sizes[m + 1]));
-    let decay_of = |from: f64, to: f64| if from > to { to / from } else { 1.0 };
-    let (before, last) = (decay_of(first, earlier), decay_of(earlier, later));
+    // over two degrees
+    let decay = |from: f64, to: f64| if from > to { to / from } else { 1.0 };
+    let (before, last) = (decay(first, earlier), decay(earlier, later));
     Next::new(sizes, if last > before { (last * last / before).min(1.0) } else { last })
 }
 
-/// The size of the Legendre coefficient of degree 8, and of each over the one before: [`next_by_two_rates`].
+/// The size of the Legendre coefficient of degree 8, and of each over the one before: [`next_by_two_decays`].
 pub(super) fn next_coefficient(sizes: &[f64; N]) -> (f64, f64) {
-    let Next { square, decay } = next_by_two_rates(sizes);
-    (square.sqrt(), decay.sqrt())
+    let Next { square, decay_squared } = next_by_two_decays(sizes);
+    (square.sqrt(), decay_squared.sqrt())
 }
 
 #[cfg(test)]
@@ -181,7 +183,7 @@ mod tests {
         for small in [None, Some(4)] {
             let mut sizes = falling(0.1, 1.0);
             small.into_iter().for_each(|m| sizes[m..m + 2].fill(1e-3));
-            let left = next_by_one_rate(&sizes).left(0.0).sqrt();
+            let left = next_by_one_decay(&sizes).left(0.0).sqrt();
             assert!((left / 1e-9 - 1.0).abs() <= ROUNDING_OF_SUMS, "{small:?}: {left}");
         }
     }

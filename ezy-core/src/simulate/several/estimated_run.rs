@@ -1,7 +1,8 @@
 //! The error that a run reaches, estimated by other runs beside it.
 //!
 //! A second run keeps to a hundredth of the tolerance; that of a fixed step is one with a tolerance, that of gauss one of dop853. Its own error is small beside that of the first, so
-//! that the difference is the error of the first. A third run is like the second, from a start that is moved a little: it shows how much the
+//! that the difference is the error of the first. Where it takes about as many steps as the first, its error is about the same: a run of another method, near rounding, follows both
+//! and takes its place. A third run is like the second, from a start that is moved a little: it shows how much the
 //! motion amplifies errors.
 
 use crate::dynamics::State;
@@ -69,11 +70,16 @@ pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Re
             Ok((method, second)) => {
                 let moved = moved.ok().filter(|(by, _)| *by == method);
                 let amplification = moved.map(|(_, moved)| amplification(&second, &moved, length_of_move(method)));
-                let is_as_blind = takes_the_same_steps((method, &second), (first, &main));
-                let different =
-                    if is_as_blind { first_finished(&others, &|method| other(method, 0.0)).ok() } else { None };
-                let (method, second) = different.unwrap_or((method, second));
-                Ok(ErrorEstimate { errors: errors(&main, &second), amplification, second: method })
+                let second = match takes_the_same_steps((method, &second), (first, &main)) {
+                    true => first_finished(&others, &|method| other(method, 0.0)),
+                    false => Ok((method, second)),
+                };
+                match second {
+                    Ok((second, run)) => Ok(ErrorEstimate { errors: errors(&main, &run), amplification, second }),
+                    Err(why) => {
+                        Err(NoErrorEstimate(format!("the second run took the same steps, and another one {why}")))
+                    }
+                }
             }
             Err(why) => Err(NoErrorEstimate(format!("the second run {why}"))),
         });
@@ -82,12 +88,14 @@ pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Re
 }
 
 /// Whether a second run has about the errors of the first: it takes as many steps, or hardly more with a smaller tolerance. Something else limits most of them
-/// then: the first steps of a run hardly depend on its tolerance. A method that raises its order with a tolerance hardly needs more.
+/// then: the first steps of a run hardly depend on its tolerance. Not for `taylor`, which raises its order instead, nor for `radau`, whose steps in a decay
+/// grow as far as they may.
 fn takes_the_same_steps((second, of_second): (Method, &Run), (first, of_first): (Method, &Run)) -> bool {
     let [many, few] = [of_second, of_first].map(|run| run.cost.steps);
     let relative = |method: Method| method.tolerance().map(|tolerance| tolerance.relative);
     let is_tighter = second.kind() == first.kind() && relative(second) < relative(first);
-    many == few || is_tighter && first.info().order.is_some() && (many as f64) < AS_MANY * few as f64
+    let needs_more = first.info().order.is_some() && !first.info().is_implicit;
+    many == few || is_tighter && needs_more && (many as f64) < AS_MANY * few as f64
 }
 
 /// What a thread returned; its panic goes on in this one.
@@ -128,6 +136,9 @@ fn others(method: Method) -> Vec<Method> {
     let Some(tolerance) = method.tolerance() else { return Vec::new() };
     let relative = (TIGHTER * TIGHTER * tolerance.relative).min(LOOSER * ROUNDING);
     let tighter = tolerance.with_relative(relative.max(Tolerance::SMALLEST_RELATIVE));
+    // one far below the relative tolerance is not made smaller than rounding
+    let absolute = tighter.absolute.max(tolerance.absolute.min(Tolerance::SMALLEST_RELATIVE));
+    let tighter = Tolerance { absolute, ..tighter };
     let all = [MethodKind::Dop853, MethodKind::Taylor, MethodKind::Gauss];
     all.into_iter().filter(|other| *other != method.kind()).filter_map(|other| other.with_tolerance(tighter)).collect()
 }

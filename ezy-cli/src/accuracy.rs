@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use serde_json::{Value, json};
 
-use ezy_core::accuracy::{
-    Accuracy, AccuracyError, Advice, Candidate, Comparison, Errors, IS_UNOPTIMISED, Point, Size, WorkPrecision,
-};
-use ezy_core::output::OutputFolder;
 use ezy_core::scalar::legible_time;
 use ezy_core::simulate::SetupError;
+use ezy_study::accuracy::{
+    Accuracy, AccuracyError, Advice, Candidate, Comparison, Errors, IS_UNOPTIMISED, Point, Size, WorkPrecision,
+};
+use ezy_study::output::OutputFolder;
 
 use super::Models;
 use super::arguments::AccuracyArguments;

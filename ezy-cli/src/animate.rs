@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use ezy_core::integrate::Method;
 use ezy_core::model::coordinate::N_OF_BODY;
 use ezy_core::model::{Scene, SceneInfo};
-use ezy_core::output;
 use ezy_core::simulate::{Outcome, Run, SetupError};
+use ezy_study::output;
 
 use super::Models;
 use super::arguments::{AnimateArguments, FrameFormat};

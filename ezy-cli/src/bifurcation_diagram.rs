@@ -17,8 +17,8 @@ use super::vary::{Target, Variation, target};
 use ezy_core::analysis::{Bifurcation, BifurcationDiagram, Branch, BranchEnd, BranchPoint};
 use ezy_core::model::SceneInfo;
 use ezy_core::record::{Column, find_name};
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::{legible, rounded};
+use ezy_study::report::table::{Table, fixed};
 
 /// Digits of values at which something happens: as many as are found.
 const DIGITS: usize = 11;
@@ -227,7 +227,7 @@ impl Shown for Drawn<'_> {
     #[cfg(feature = "figures")]
     fn drawing(&self) -> Drawing {
         use super::drawing_of_columns::axis;
-        use ezy_core::report::figure::Figure;
+        use ezy_study::report::figure::Figure;
 
         let column = &self.columns[self.of];
         let title = format!("{}: bifurcation diagram", self.path);

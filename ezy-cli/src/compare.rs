@@ -12,7 +12,7 @@ use super::json::print_json;
 use super::motion_table::MotionTable;
 use super::runs::Runs;
 use ezy_core::record::Column;
-use ezy_core::report::table::{Table, fixed};
+use ezy_study::report::table::{Table, fixed};
 
 /// The difference of one column of two motions.
 struct Difference<'a> {
@@ -168,7 +168,7 @@ fn draw(
     out: &Path,
 ) -> Result<(), Failure> {
     use super::drawing_of_columns::{axis, write};
-    use ezy_core::report::figure::Figure;
+    use ezy_study::report::figure::Figure;
 
     let relative = |of: &Difference<'_>| if of.size > 0.0 { of.largest / of.size } else { 0.0 };
     let most = differences.iter().max_by(|a, b| relative(a).total_cmp(&relative(b)));

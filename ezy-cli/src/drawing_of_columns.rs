@@ -7,8 +7,8 @@ use super::failure::Failure;
 use super::motion_table::MotionTable;
 use super::out_path::ending;
 use ezy_core::record::{Column, UnknownName};
-use ezy_core::report::figure::Figure;
-use ezy_core::report::page::Page;
+use ezy_study::report::figure::Figure;
+use ezy_study::report::page::Page;
 
 /// What is drawn.
 pub(super) struct Picture<'a> {

@@ -6,7 +6,7 @@ use super::steady::N_STARTS;
 use super::steady_text::{heading, motion_json, reactions_text, state_text, verdict, verdict_text, zeros_text};
 use ezy_core::analysis::{AnalysisError, Rest, Rests, Spectrum, SteadyMotion};
 use ezy_core::model::SceneInfo;
-use ezy_core::report::table::{Table, fixed};
+use ezy_study::report::table::{Table, fixed};
 
 /// Digits of coordinates in the table of all rests.
 const SHOWN_DIGITS: usize = 6;

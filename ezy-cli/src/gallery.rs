@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use ezy_core::model::{ModelInfo, SceneEntry};
-use ezy_core::report::drawing;
-use ezy_core::report::page::{escape, prose};
 use ezy_core::simulate::Simulation;
+use ezy_study::report::drawing;
+use ezy_study::report::page::{escape, prose};
 
 use super::Models;
 use super::animate::{page_of, write};

@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 use super::failure::Failure;
 use super::inverse_values::{MULTIPLIER, Series, Values, integral, largest, root_mean_square};
 use ezy_core::model::SceneInfo;
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::{legible, legible_time, rounded};
+use ezy_study::report::table::{Table, fixed};
 
 /// Decimals of values, powers and works.
 const DECIMALS: usize = 9;
@@ -175,7 +175,7 @@ impl Found<'_> {
     #[cfg(feature = "figures")]
     pub(super) fn draw(&self, path: &Path) -> Result<(), Failure> {
         use super::drawing_of_columns::{axis, quantity, write};
-        use ezy_core::report::figure::Figure;
+        use ezy_study::report::figure::Figure;
 
         let Values { times, series, .. } = self.values;
         let title = format!("{}: what its motion takes", self.path);

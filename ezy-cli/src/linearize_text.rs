@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 use super::steady_text::{heading, motion_json, state_text, verdict, verdict_text, zeros_text};
 use ezy_core::analysis::{Linearization, Mode, Spectrum, SteadyMotion};
 use ezy_core::model::SceneInfo;
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::rounded;
+use ezy_study::report::table::{Table, fixed};
 use nalgebra::{Complex, DMatrix};
 
 /// Digits of eigenvalues in tables.

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use ezy_core::model::{CountInfo, EffectInfo, ModelInfo, ParameterInfo, SceneEntry, SceneInfo};
-use ezy_core::report::table::Table;
+use ezy_study::report::table::Table;
 
 use super::Models;
 use super::arguments::ListArguments;

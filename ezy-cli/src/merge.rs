@@ -4,7 +4,7 @@ use super::arguments::MergeArguments;
 use super::failure::{Failure, print};
 use super::json::print_json;
 use super::out_path::{check_ending, ending, make_folder_of};
-use ezy_core::sweep::{Format, Results, ResultsError};
+use ezy_study::sweep::{Format, Results, ResultsError};
 use serde_json::json;
 
 pub(super) fn merge(arguments: &MergeArguments) -> Result<(), Failure> {

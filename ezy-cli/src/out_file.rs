@@ -3,8 +3,8 @@
 use std::io::Write;
 use std::path::Path;
 
-use ezy_core::output::OutputFile;
 use ezy_core::record::{CsvWriter, RecordError, Recorder, Sample};
+use ezy_study::output::OutputFile;
 
 use super::failure::Failure;
 use super::out_path::make_folder_of;

@@ -11,10 +11,10 @@ use super::shown::Drawing;
 use super::shown::Shown;
 use ezy_core::analysis::{PeriodicMotion, Stability, Trivial};
 use ezy_core::model::SceneInfo;
-#[cfg(feature = "figures")]
-use ezy_core::report::figure::Figure;
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::{legible, rounded};
+#[cfg(feature = "figures")]
+use ezy_study::report::figure::Figure;
+use ezy_study::report::table::{Table, fixed};
 
 /// Sides of what is drawn for a circle.
 #[cfg(feature = "figures")]

@@ -17,8 +17,8 @@ use super::reactions_text::{Borne, json_of, text_of};
 use super::run_end::remarks;
 use super::selection::path;
 use ezy_core::model::Scene;
-use ezy_core::report::reactions::{ElementFlows, Reactions};
 use ezy_core::simulate::{Outcome, Run, SetupError};
+use ezy_study::report::reactions::{ElementFlows, Reactions};
 
 /// Intervals of a run between its samples, when `--every` is not given.
 const N_INTERVALS: f64 = 2000.0;
@@ -142,8 +142,8 @@ const MOST_CURVES: usize = 8;
 #[cfg(feature = "figures")]
 fn draw_joints(borne: &Borne<'_>, path: &Path) -> Result<(), Failure> {
     use super::drawing_of_columns::write;
-    use ezy_core::report::figure::Figure;
-    use ezy_core::report::reactions::JointReaction;
+    use ezy_study::report::figure::Figure;
+    use ezy_study::report::reactions::JointReaction;
 
     let all = borne.reactions.joints.iter().filter(|of| of.direction.is_some());
     let mut joints: Vec<&JointReaction> = all.collect();
@@ -181,7 +181,7 @@ fn draw_joints(borne: &Borne<'_>, path: &Path) -> Result<(), Failure> {
 #[cfg(feature = "figures")]
 fn draw_powers(borne: &Borne<'_>, path: &Path) -> Result<(), Failure> {
     use super::drawing_of_columns::write;
-    use ezy_core::report::figure::Figure;
+    use ezy_study::report::figure::Figure;
 
     let mut curves = borne.power_curves();
     let n = curves.len();

@@ -2,10 +2,10 @@
 
 use serde_json::{Value, json};
 
-use ezy_core::report::reactions::{ElementFlow, ElementFlows, JointReaction, Largest, PowerFlow, Reactions};
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::legible_time;
 use ezy_core::simulate::Run;
+use ezy_study::report::reactions::{ElementFlow, ElementFlows, JointReaction, Largest, PowerFlow, Reactions};
+use ezy_study::report::table::{Table, fixed};
 
 /// Decimals of reactions, powers, works and times.
 const DECIMALS: usize = 6;

@@ -110,7 +110,7 @@ impl Shown for Responses<'_> {
     /// Magnitude and phase over the frequency.
     #[cfg(feature = "figures")]
     fn drawing(&self) -> Drawing {
-        use ezy_core::report::figure::Figure;
+        use ezy_study::report::figure::Figure;
 
         let path = format!("{}/{}", typed(self.info.model), self.info.name);
         let title = match self.transfers {

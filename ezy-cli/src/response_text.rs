@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 use super::steady_text::{heading, motion_json};
 use ezy_core::analysis::{AtFrequency, Spectrum, SteadyMotion, Transfer};
 use ezy_core::model::SceneInfo;
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::rounded;
+use ezy_study::report::table::{Table, fixed};
 use nalgebra::Complex;
 
 /// Digits of poles, zeros and what is told of them.

@@ -13,8 +13,8 @@ use super::value::parse_number;
 use super::vary::{Target, Variation, target};
 use ezy_core::analysis::{CriticalValue, Instability, Locus};
 use ezy_core::model::SceneInfo;
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::{legible, rounded};
+use ezy_study::report::table::{Table, fixed};
 
 /// Digits of critical values: as many as are found.
 const DIGITS: usize = 11;
@@ -165,7 +165,7 @@ impl Shown for Varied<'_> {
     #[cfg(feature = "figures")]
     fn drawing(&self) -> Drawing {
         use super::drawing_of_columns::axis;
-        use ezy_core::report::figure::Figure;
+        use ezy_study::report::figure::Figure;
         use nalgebra::Complex;
 
         let all = |part: fn(&Complex<f64>) -> f64| -> (Vec<f64>, Vec<f64>) {

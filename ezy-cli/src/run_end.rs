@@ -6,11 +6,11 @@ use ezy_core::dynamics::{MotionError, MovedValue};
 use ezy_core::integrate::{Method, Tolerance};
 use ezy_core::model::{Name, SceneInfo};
 use ezy_core::record::Sample;
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::{legible, legible_time, rounded};
 use ezy_core::simulate::{
     EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, SingularityCrossed, SoftestImpact, StopReason,
 };
+use ezy_study::report::table::{Table, fixed};
 
 use super::run_error::{error_json, error_remark, error_text};
 use super::run_monitors::{monitors_json, monitors_text};

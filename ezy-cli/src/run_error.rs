@@ -3,9 +3,9 @@
 use serde_json::{Value, json};
 
 use ezy_core::integrate::{Method, Tolerance};
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::rounded;
 use ezy_core::simulate::{ErrorEstimate, NoErrorEstimate, QuantityError, Run};
+use ezy_study::report::table::{Table, fixed};
 
 /// An estimate, or why there is none.
 pub(super) type Estimate = Result<ErrorEstimate, NoErrorEstimate>;

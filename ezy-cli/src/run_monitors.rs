@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use ezy_core::report::table::fixed;
 use ezy_core::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Run, SoftestImpact};
+use ezy_study::report::table::fixed;
 
 /// The monitors as JSON; of a run that could not start the same keys, all `null`.
 pub(super) fn monitors_json(monitors: Option<&Monitors>) -> Value {

@@ -10,7 +10,7 @@ use super::failure::{Failure, print};
 use super::json::print_json;
 use super::out_path::check_ending;
 #[cfg(feature = "figures")]
-use ezy_core::report::figure::Figure;
+use ezy_study::report::figure::Figure;
 
 /// A result.
 pub(super) trait Shown {

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use ezy_core::report::drawing;
 use ezy_core::simulate::Simulation;
+use ezy_study::report::drawing;
 
 use super::Models;
 use super::animate::write;

@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use super::failure::Failure;
-use ezy_core::output;
+use ezy_study::output;
 
 /// Name of the file.
 const FILE: &str = "sweep.sbatch";

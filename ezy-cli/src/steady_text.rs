@@ -4,8 +4,8 @@ use serde_json::{Value, json};
 
 use ezy_core::analysis::{Course, Frame, Spectrum, SteadyMotion};
 use ezy_core::model::SceneInfo;
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::rounded;
+use ezy_study::report::table::{Table, fixed};
 use nalgebra::Complex;
 
 /// Digits of what describes.

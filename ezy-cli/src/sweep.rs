@@ -24,7 +24,7 @@ use super::vary::{Target, Variation, set, target};
 use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::record::LimitedReader;
 use ezy_core::simulate::InputTable;
-use ezy_core::sweep::{
+use ezy_study::sweep::{
     Case, Finished, Format, Kept, Plan, RanAlone, Refused, Samples, Sweep, SweepError, Value, Written,
 };
 

@@ -9,7 +9,7 @@ use super::motion_arguments::MotionArguments;
 use super::value::{parse_count, parse_number};
 use super::vary::{Variation, parse_axis};
 use super::word::Word;
-use ezy_core::sweep::{Design, Format, Kept};
+use ezy_study::sweep::{Design, Format, Kept};
 
 /// Runs a scene for many values, on all cores, and writes a table with a row for each run
 ///

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::failure::Failure;
-use ezy_core::sweep::Plan;
+use ezy_study::sweep::Plan;
 
 /// Cells of all figures together, at most: they are in memory at once.
 const MOST_CELLS: u64 = 50_000_000;
@@ -44,10 +44,10 @@ pub(super) fn write(_: &Path, _: &Plan, _: &str) -> Result<(), Failure> {
 #[cfg(feature = "figures")]
 pub(super) fn write(folder: &Path, plan: &Plan, scene: &str) -> Result<(), Failure> {
     use super::drawing_of_columns::axis;
-    use ezy_core::output;
-    use ezy_core::report::figure::Figure;
-    use ezy_core::report::page::Page;
-    use ezy_core::sweep::{Cell, Kind, Results};
+    use ezy_study::output;
+    use ezy_study::report::figure::Figure;
+    use ezy_study::report::page::Page;
+    use ezy_study::sweep::{Cell, Kind, Results};
 
     let Some(axes) = axes(plan) else { return check(plan) };
     let results = Results::open(&[folder]).map_err(Failure::stopped)?;

@@ -13,9 +13,9 @@ use ezy_core::analysis::{Mode, SteadyMotion, Swing};
 use ezy_core::dynamics::State;
 use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::record::{EnergyState, Sample, Wanted};
-use ezy_core::report::drawing::{Drawing, Elements, Placed};
-use ezy_core::report::table::fixed;
 use ezy_core::scalar::rounded;
+use ezy_study::report::drawing::{Drawing, Elements, Placed};
+use ezy_study::report::table::fixed;
 
 /// Digits of what describes.
 const DIGITS: usize = 6;

@@ -5,7 +5,7 @@ use clap::builder::PossibleValue;
 
 use ezy_core::dynamics::{Metric, Projection};
 use ezy_core::integrate::MethodKind;
-use ezy_core::sweep::{Design, Format};
+use ezy_study::sweep::{Design, Format};
 
 /// A choice, as an option takes it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use super::drawing_of_columns::axis;
 use super::shown::Drawing;
 use super::workspace_text::Reached;
 use ezy_core::analysis::{AssemblyBranch, Limit};
-use ezy_core::report::figure::Figure;
+use ezy_study::report::figure::Figure;
 
 const SMALLEST: &str = "smallest singular value";
 

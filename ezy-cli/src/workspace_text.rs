@@ -8,8 +8,8 @@ use super::shown::Drawing;
 use super::shown::Shown;
 use ezy_core::analysis::{AssemblyBranch, Axis, Limit, Singularity, Workspace};
 use ezy_core::model::SceneInfo;
-use ezy_core::report::table::{Table, fixed};
 use ezy_core::scalar::{legible, rounded};
+use ezy_study::report::table::{Table, fixed};
 
 /// Digits of values at which a mechanism is singular: as many as are found.
 const DIGITS: usize = 11;

@@ -46,22 +46,21 @@
 //!
 //! - With the crate `ezy-cli`, `ezy_cli::main(&[&pendulum::MODEL])` is a command line of your models: `list`, `show`, `run`,
 //!   `animate`, `sketch`, `check`, `accuracy`.
-//! - [`accuracy`] measures what accuracy costs; [`simulate::Ensemble`] runs many scenes at once; [`simulate::Sensitivities`] gives
-//!   derivatives of a run.
-//! - With the feature `sweep`, `sweep` runs thousands of cases on all cores, into files that survive a kill.
+//! - [`simulate::Ensemble`] runs many scenes at once; [`simulate::Sensitivities`] gives derivatives of a run.
+//! - The crate `ezy-study` runs thousands of cases on all cores, into files that survive a kill, measures what accuracy costs, prints
+//!   tables, plots and draws the mechanism.
 //! - With the feature `analysis`, `dynamics::Gradients` gives exact derivatives of the equations of motion, of the rows and of the
 //!   outputs by positions, velocities, first-order states, inputs and parameters.
 //! - With the feature `analysis`, `analysis::SteadyMotion` finds rest and steady motions, and `analysis::Linearization` their linear
 //!   equations and eigenvalues.
 //! - With the feature `export`, `export::source` writes the equations of a scene in C, Python (NumPy, SymPy, CasADi), Julia or MATLAB.
 //! - With the feature `optimise`, `optimise::Fit` finds parameters from measurements and `optimise::Search` the best ones.
-//! - [`report`] prints equations, tables and, with the feature `figures`, plots; [`report::drawing`] draws the mechanism.
 //! - [`dynamics::System`] answers for one state: accelerations, multipliers, projections, energies.
 //!
 //! # Layers
 //!
 //! Each knows only those on its left: `scalar ← model ← linalg ← dynamics ← integrate ← simulate` and
-//! `model ← record ← simulate`; [`report`] reads records and names; [`accuracy`] runs, compares and reports.
+//! `model ← record ← simulate`.
 
 #![warn(unreachable_pub)]
 // who works on this crate reads the links to what is private
@@ -70,7 +69,6 @@
 #[doc(hidden)]
 pub mod __private;
 mod access_to_numbers;
-pub mod accuracy;
 #[cfg(feature = "analysis")]
 pub mod analysis;
 mod archive;
@@ -87,13 +85,9 @@ mod memory;
 pub mod model;
 #[cfg(feature = "optimise")]
 pub mod optimise;
-pub mod output;
 pub mod record;
-pub mod report;
 pub mod scalar;
 pub mod simulate;
-#[cfg(feature = "sweep")]
-pub mod sweep;
 pub mod testing;
 
 #[doc(inline)]

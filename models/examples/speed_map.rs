@@ -8,9 +8,9 @@ use std::path::PathBuf;
 
 use ezy_cli::Progress;
 use ezy_core::prelude::*;
-use ezy_core::report::figure::Figure;
-use ezy_core::sweep::{Cell, Plan, Results, Sweep};
 use ezy_models::vehicles::ezy_roller::ezy_roller::Driven;
+use ezy_study::report::figure::Figure;
+use ezy_study::sweep::{Cell, Plan, Results, Sweep};
 
 /// From `low` to `high`, both included.
 fn evenly(n: usize, low: f64, high: f64) -> Vec<f64> {

@@ -3,10 +3,10 @@
 #[path = "program/run.rs"]
 mod run;
 
-use ezy_core::accuracy::{Accuracy, PointResult, WorkPrecision};
-use ezy_core::report::page::escape;
-use ezy_core::report::typeset::typeset;
 use ezy_models::ezy_roller::Coast;
+use ezy_study::accuracy::{Accuracy, PointResult, WorkPrecision};
+use ezy_study::report::page::escape;
+use ezy_study::report::typeset::typeset;
 use run::{assert_wrong_use, directory, text};
 use serde_json::Value;
 use std::process::Output;

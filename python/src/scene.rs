@@ -14,7 +14,7 @@ use crate::sweep;
 use ezy_core::integrate::Method;
 use ezy_core::model::{ModelInfo, Scene, SceneEntry};
 use ezy_core::record::find_name;
-use ezy_core::report::drawing;
+use ezy_study::report::drawing;
 use ezy_core::simulate::{Outcome, Run, Simulation};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;

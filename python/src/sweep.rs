@@ -5,7 +5,7 @@ use crate::motion::Motion;
 use crate::signals::watched;
 use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::record::find_name;
-use ezy_core::sweep::{Case, Cell, Finished, Kind, Plan, Refused, Sweep, Table};
+use ezy_study::sweep::{Case, Cell, Finished, Kind, Plan, Refused, Sweep, Table};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

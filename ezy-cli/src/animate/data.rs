@@ -8,8 +8,8 @@ use ezy_core::integrate::Method;
 use ezy_core::model::coordinate::{body_and_component, is_angle, place};
 use ezy_core::model::{ElementInfo, LoadKind, Scene, SceneInfo};
 use ezy_core::record::Sample;
-use ezy_core::report::drawing::{Anchor, Drawing, Elements, Film, Motion, Placed};
 use ezy_core::simulate::Run;
+use ezy_study::report::drawing::{Anchor, Drawing, Elements, Film, Motion, Placed};
 
 /// Forces are drawn up to so many elements.
 pub(super) const MOST_ARROWS: usize = 60;

@@ -1,8 +1,8 @@
 //! The page of an animation: markup, style and script in one file.
 
-use ezy_core::report::drawing::STYLE;
-use ezy_core::report::page::{escape, prose};
 use ezy_core::scalar::legible;
+use ezy_study::report::drawing::STYLE;
+use ezy_study::report::page::{escape, prose};
 
 use super::data::{Animation, Told};
 

@@ -1,7 +1,7 @@
 //! Frames as pixels. Without the feature `figures`, how to get them.
 
 use crate::failure::Failure;
-use ezy_core::report::drawing::Film;
+use ezy_study::report::drawing::Film;
 
 /// A picture that moves.
 #[cfg(feature = "figures")]

@@ -3,7 +3,7 @@
 use ezy_core::dynamics::described_solver;
 use ezy_core::linalg::Backend;
 use ezy_core::model::{Direction, EffectInfo, EliminationStep, Equation, EventKind, ParameterInfo, SceneInfo};
-use ezy_core::report::table::Table;
+use ezy_study::report::table::Table;
 
 use super::{OPERATIONS, freedom, kernels, pattern, pivot, series, with_equations};
 

@@ -38,7 +38,6 @@ impl Projection {
 
 /// In which metric a correction is smallest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum Metric {
     /// δᵀ M δ. A velocity projection then never adds kinetic energy when the constraints do not depend on time, and
     /// a position correction [C; 0] violates no velocity constraint to first order.

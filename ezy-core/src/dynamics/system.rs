@@ -73,9 +73,7 @@ impl<P: SceneRef> System<P> {
                 return Err(SystemError::ParameterNotFinite { name: parameter.name, value });
             }
         }
-        let mut fixed = vec![0.0; info.n_fixed()];
-        let declared = info.inputs.iter().chain(info.states);
-        fixed.iter_mut().zip(declared).for_each(|(value, declared)| *value = declared.default);
+        let mut fixed = info.declared_values();
         let integrated =
             info.integrated_inputs.iter().map(|&i| SceneInfo::integrated_places(i).map(|place| fixed[place])).collect();
         // a row that is off at the start counts for what is measured here

@@ -8,12 +8,12 @@ use crate::scalar::Scalar;
 pub const N_OF_BODY: usize = BodyKind::Planar.positions().len();
 
 /// How many bodies have `n_q` coordinates.
-pub(crate) const fn n_bodies(n_q: usize) -> usize {
+pub const fn n_bodies(n_q: usize) -> usize {
     n_q / N_OF_BODY
 }
 
 /// What stands at x, y and φ of a body, in q or in what is ordered as q is.
-pub(crate) fn of_body(q: &[f64], body: usize) -> [f64; N_OF_BODY] {
+pub fn of_body(q: &[f64], body: usize) -> [f64; N_OF_BODY] {
     std::array::from_fn(|component| q[place(body, component)])
 }
 

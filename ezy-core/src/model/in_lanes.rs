@@ -4,7 +4,7 @@ use super::{Equations, Pivots, Powers};
 use crate::scalar::{Lanes, Scalar, in_widest};
 
 /// States that kernels take at once.
-pub(crate) const N_LANES: usize = 8;
+pub const N_LANES: usize = 8;
 
 /// Eight numbers, one a state.
 pub(crate) type Eight = Lanes<N_LANES>;

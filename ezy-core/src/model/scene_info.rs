@@ -202,4 +202,12 @@ impl SceneInfo {
     pub const fn n_fixed(&self) -> usize {
         self.inputs.len() + self.states.len() + self.n_constants
     }
+
+    /// `c` with inputs and first-order states as declared; [`Derived::constants`](super::Derived::constants) writes what is behind them.
+    pub fn declared_values(&self) -> Vec<f64> {
+        let mut c = vec![0.0; self.n_fixed()];
+        let declared = self.inputs.iter().chain(self.states);
+        c.iter_mut().zip(declared).for_each(|(value, declared)| *value = declared.default);
+        c
+    }
 }

@@ -1,5 +1,6 @@
 //! Start values, which a scene prescribes or a user gives.
 
+use super::Scene;
 use super::body_kind::set_upright;
 use super::scene_info::SceneInfo;
 
@@ -34,6 +35,17 @@ impl Start {
     pub fn free_of(info: &SceneInfo) -> Self {
         let mut start = Self::of(info.n_coordinates(), info.n_velocities());
         set_upright(&info.kinds, &mut start.q);
+        start
+    }
+
+    /// That which a scene declares.
+    pub fn declared<S: Scene + ?Sized>(scene: &S) -> Self {
+        let info = scene.info();
+        let mut start = Self::free_of(&info);
+        start.z.extend(info.states.iter().map(|state| state.default));
+        let mut c = info.declared_values();
+        scene.constants(&scene.parameters(), &mut c);
+        scene.start(&c, &mut start);
         start
     }
 

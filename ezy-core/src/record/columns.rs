@@ -19,7 +19,7 @@ impl Column {
 }
 
 /// Name of the forces with a potential among the powers.
-pub(crate) const POTENTIAL: &str = "potential";
+pub const POTENTIAL: &str = "potential";
 
 /// The columns of every sample of a scene, in the order in which a sample stores them.
 ///

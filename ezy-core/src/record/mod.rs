@@ -7,8 +7,8 @@ mod memory;
 mod names;
 mod sample;
 
-pub use columns::{Column, columns};
-pub(crate) use columns::{POTENTIAL, column_index};
+pub(crate) use columns::column_index;
+pub use columns::{Column, POTENTIAL, columns};
 pub use csv_writer::CsvWriter;
 pub use limited_reader::LimitedReader;
 pub(crate) use memory::Record;

@@ -124,7 +124,7 @@ mod tests {
     }
 
     /// Numbers that are not finite have no place in JSON, their bits have.
-    #[cfg(all(feature = "serde", feature = "sweep"))]
+    #[cfg(feature = "serde")]
     #[test]
     fn invariant_checkpoint_comes_back_from_a_text() {
         let scene = stone::Falls::default();

@@ -291,7 +291,7 @@ impl SetupError {
     ///
     /// # Errors
     /// [`SetupError::Modes`].
-    pub(crate) fn refuse_modes(info: &SceneInfo) -> Result<(), Self> {
+    pub fn refuse_modes(info: &SceneInfo) -> Result<(), Self> {
         let skate = info.limited_skates.first().map(|skate| ("skate", skate.name));
         let stop = info.stop.map(|stop| ("stop", stop.name));
         match skate.or(stop) {

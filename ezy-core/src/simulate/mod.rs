@@ -26,15 +26,17 @@ pub use inputs::input_file::{InputFileError, read_inputs};
 pub use inputs::input_table::{InputTable, TableError};
 pub use inputs::inputs_guard::InputsGuard;
 pub use inputs::now::{Inputs, Now};
-pub(crate) use monitor::processor_time::{IS_KNOWN as PROCESSOR_TIME_IS_KNOWN, processor_time};
+pub use monitor::processor_time::{IS_KNOWN as PROCESSOR_TIME_IS_KNOWN, processor_time};
 pub use monitor::rank_watch::{RankDeficientInterval, RankRecord};
 pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, LeastPivot, Monitors, Peak, SoftestImpact};
 pub use outcome::{Cost, Outcome, Run, StopReason};
 pub use several::eight_steppers::{EightSteppers, NotTogether};
 pub use several::ensemble::Ensemble;
 pub use several::sensitivity::{Sensitivities, Tangent};
-#[cfg(feature = "sweep")]
-pub(crate) use several::together::{Alone, End, Waiting, run_together};
+pub use several::together::{Alone, EndOfRun, WaitingRun, run_together};
 pub use simulation::Simulation;
 pub use stepper::Stepper;
 pub use stepping::singularity_crossing::SingularityCrossed;
+
+/// The level at which this crate was optimised, from `0` to `3`: that of its profile, which a debug build may raise.
+pub const OPT_LEVEL: &str = env!("EZY_OPT_LEVEL");

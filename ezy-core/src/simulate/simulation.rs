@@ -26,7 +26,7 @@ use std::sync::atomic::AtomicBool;
 /// # }
 /// ```
 pub struct Simulation<'s, P: SceneRef> {
-    pub(crate) scene: P,
+    pub(super) scene: P,
     pub(super) settings: Settings,
     pub(super) hooks: Hooks<'s>,
 }
@@ -122,9 +122,9 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
         self
     }
 
-    /// Keeps samples `every_s` seconds, or `n` of the run, unless their times were given before.
-    #[cfg(feature = "sweep")]
-    pub(crate) fn sampled(mut self, every_s: Option<f64>, n: f64) -> Self {
+    /// Keeps samples `every_s` seconds apart, or `n` of the run, unless their times were given before.
+    #[must_use]
+    pub fn sampled(mut self, every_s: Option<f64>, n: f64) -> Self {
         let span = self.settings.until_s;
         if let (SampleTimes::Never, Some(every_s)) =
             (&self.settings.sampling.times, every_s.or((span > 0.0).then_some(span / n)))
@@ -132,6 +132,11 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
             self.settings.sampling.times = SampleTimes::Every(every_s);
         }
         self
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &P {
+        &self.scene
     }
 
     /// What is projected after each step.

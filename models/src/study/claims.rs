@@ -1,7 +1,7 @@
 //! Errors in the report: claim, finding, measurement.
 
-use ezy_core::report::page::Page;
-use ezy_core::report::table::Table;
+use ezy_study::report::page::Page;
+use ezy_study::report::table::Table;
 
 use super::error::StudyError;
 use super::findings::Findings;

@@ -1,9 +1,9 @@
 //! Part (e): coasting for one second.
 
 use ezy_core::model::{Name, Scene};
-use ezy_core::report::figure::Figure;
-use ezy_core::report::page::Page;
-use ezy_core::report::table::{Table, fixed};
+use ezy_study::report::figure::Figure;
+use ezy_study::report::page::Page;
+use ezy_study::report::table::{Table, fixed};
 
 use super::error::StudyError;
 use super::motion::Motion;

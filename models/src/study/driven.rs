@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use ezy_core::model::Scene;
-use ezy_core::report::figure::Figure;
-use ezy_core::report::page::Page;
+use ezy_study::report::figure::Figure;
+use ezy_study::report::page::Page;
 
 use super::error::StudyError;
 use super::motion::{Motion, Path};

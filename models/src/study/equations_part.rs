@@ -1,10 +1,10 @@
 //! The vehicle, and parts (a) to (c): the derived equations, and the parameters in them.
 
 use ezy_core::model::{Equation, Scene, SceneInfo};
-use ezy_core::report::drawing;
-use ezy_core::report::page::{Page, Picture, escape};
-use ezy_core::report::table::Table;
 use ezy_core::simulate::Simulation;
+use ezy_study::report::drawing;
+use ezy_study::report::page::{Page, Picture, escape};
+use ezy_study::report::table::Table;
 
 use super::error::StudyError;
 use super::output::Output;
@@ -63,8 +63,8 @@ pub fn write(page: &mut Page, output: &Output, scene: &Driven) -> Result<(), Stu
     Ok(())
 }
 
-fn sketch(page: &mut Page, output: &Output, scene: &Driven) -> Result<(), StudyError> {
-    let run = Simulation::new(scene).start("bar.phi", SKETCHED_ANGLE).until(0.0).run()?;
+fn sketch(page: &mut Page, output: &Output, scene: &dyn Scene) -> Result<(), StudyError> {
+    let run = Simulation::new(scene).start("bar.phi", SKETCHED_ANGLE).until(0.0).run_dyn()?;
     let wide = drawing::sketch(scene, &run.last());
     output.write("vehicle.svg", &wide)?;
     let narrow = drawing::sketch_within(scene, &run.last(), TELEPHONE);

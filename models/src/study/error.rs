@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use ezy_core::dynamics::{MotionError, StartError, SystemError};
 use ezy_core::record::UnknownName;
-use ezy_core::report::figure::FigureError;
 use ezy_core::simulate::SetupError;
+use ezy_study::report::figure::FigureError;
 
 /// Why the study stopped.
 #[derive(Debug, thiserror::Error)]

@@ -1,8 +1,8 @@
 //! Long runs: does the speed have a limit?
 
-use ezy_core::report::figure::Figure;
-use ezy_core::report::page::Page;
-use ezy_core::report::table::Table;
+use ezy_study::report::figure::Figure;
+use ezy_study::report::page::Page;
+use ezy_study::report::table::Table;
 
 use super::averaged::{Averaged, MEAN_POWER};
 use super::error::StudyError;

@@ -23,8 +23,8 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::AtomicBool;
 
-use ezy_core::report::page::Page;
-use ezy_core::report::table::Table;
+use ezy_study::report::page::Page;
+use ezy_study::report::table::Table;
 
 use crate::ezy_roller::Driven;
 use findings::Findings;

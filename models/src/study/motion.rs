@@ -1,8 +1,6 @@
 //! A finished run together with its scene, so that points and forces can be read off it.
 
-use ezy_core::dynamics::System;
 use ezy_core::integrate::Method;
-use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;
 use ezy_core::record::{Sample, coordinate_index, find_name};
 use ezy_core::simulate::{Outcome, Run, Simulation};
@@ -31,7 +29,7 @@ impl<'s> Motion<'s> {
         interrupt: &AtomicBool,
     ) -> Result<Self, StudyError> {
         let simulation = Simulation::new(scene).method(Method::rk4(step_s)).until(until_s).every(every_s).work();
-        Self::finished(scene, simulation.interrupted_by(interrupt).run()?)
+        Self::finished(scene, simulation.interrupted_by(interrupt).run_dyn()?)
     }
 
     /// Takes a run that was made elsewhere.
@@ -42,7 +40,8 @@ impl<'s> Motion<'s> {
         if !run.outcome.reached_end() {
             return Err(StudyError::Stopped { scene: scene.info().name, outcome: run.outcome.to_string() });
         }
-        let fixed = System::new(scene, Backend::Auto)?.fixed().to_vec();
+        let mut fixed = scene.info().declared_values();
+        scene.constants(&scene.parameters(), &mut fixed);
         Ok(Self { scene, fixed, run })
     }
 

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use ezy_core::output::{self, OutputFolder};
-use ezy_core::report::figure::Figure;
-use ezy_core::report::page::Page;
+use ezy_study::output::{self, OutputFolder};
+use ezy_study::report::figure::Figure;
+use ezy_study::report::page::Page;
 
 use super::error::StudyError;
 

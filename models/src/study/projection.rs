@@ -2,8 +2,8 @@
 
 use ezy_core::dynamics::{Metric, State, System};
 use ezy_core::linalg::Backend;
-use ezy_core::report::page::{Page, bracketed};
-use ezy_core::report::table::Table;
+use ezy_study::report::page::{Page, bracketed};
+use ezy_study::report::table::Table;
 
 use super::error::StudyError;
 use super::parts::largest;

@@ -3,12 +3,12 @@
 use ezy_core::dynamics::{Projection, State, System};
 use ezy_core::integrate::Method;
 use ezy_core::linalg::Backend;
-use ezy_core::model::{Equations, Scene};
+use ezy_core::model::Scene;
 use ezy_core::record::coordinate_index;
-use ezy_core::report::figure::Figure;
-use ezy_core::report::page::Page;
-use ezy_core::report::table::Table;
 use ezy_core::simulate::Simulation;
+use ezy_study::report::figure::Figure;
+use ezy_study::report::page::Page;
+use ezy_study::report::table::Table;
 
 use super::driven::Drive;
 use super::error::StudyError;
@@ -60,7 +60,8 @@ impl Steps {
             coarse_sum.get_or_insert((motion.column("t")?, sum));
             let until = coast.info().until_s;
             coast_ends.push(Motion::new(&coast, h, until, until, interrupt)?.run.last().coordinates.to_vec());
-            let free = Simulation::new(driven).method(Method::rk4(h)).project(Projection::None).every(1.0).run()?;
+            let free = Simulation::new(driven as &dyn Scene).method(Method::rk4(h));
+            let free = free.project(Projection::None).every(1.0).run_dyn()?;
             let free = Motion::finished(driven, free)?;
             drift.push(largest(free.run.samples().map(|s| s.position_residual)));
         }
@@ -200,7 +201,7 @@ fn right_endpoint_sum(motion: &Motion<'_>) -> Result<Vec<f64>, StudyError> {
 
 /// |kinetic energy − right-endpoint sum| at the end of a run that keeps nothing on its way, so that the step may be
 /// small. Nothing is projected: the drift of one minute is far below the gap.
-fn right_endpoint_gap(driven: &Driven, step_s: f64) -> Result<f64, StudyError> {
+fn right_endpoint_gap(driven: &dyn Scene, step_s: f64) -> Result<f64, StudyError> {
     let info = driven.info();
     let (seat, bar) = (coordinate_index(&info, "seat.phi")?, coordinate_index(&info, "bar.phi")?);
     let system = System::new(driven, Backend::Auto)?;

@@ -3,10 +3,11 @@
 use std::sync::atomic::AtomicBool;
 
 use ezy_core::integrate::Method;
-use ezy_core::report::figure::Figure;
-use ezy_core::report::page::Page;
-use ezy_core::report::table::{Table, fixed};
+use ezy_core::model::Scene;
 use ezy_core::simulate::Simulation;
+use ezy_study::report::figure::Figure;
+use ezy_study::report::page::Page;
+use ezy_study::report::table::{Table, fixed};
 
 use super::error::StudyError;
 use super::motion::Motion;
@@ -88,11 +89,11 @@ impl Straight {
 }
 
 /// How fast the logarithm of the angle grows in a run at 1 m/s, 1/s.
-fn growth(scene: &Coast, interrupt: &AtomicBool) -> Result<f64, StudyError> {
+fn growth(scene: &dyn Scene, interrupt: &AtomicBool) -> Result<f64, StudyError> {
     let [first, last] = MEASURED_S;
     let simulation = Simulation::new(scene).start("bar.phi", SMALL_ANGLE).method(Method::dop853(TOLERANCE));
     let simulation = simulation.until(last).every(last - first).interrupted_by(interrupt);
-    let motion = Motion::finished(scene, simulation.run()?)?;
+    let motion = Motion::finished(scene, simulation.run_dyn()?)?;
     let angle = motion.seat_less_bar("phi")?;
     let n = angle.len();
     Ok((angle[n - 1] / angle[n - 2]).abs().ln() / (last - first))

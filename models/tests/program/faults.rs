@@ -2,10 +2,10 @@
 
 use crate::run::{random, start};
 use crate::{assert_wrong_use, directory, ezy, text};
-use ezy_core::output::OutputFile;
 use ezy_core::record::CsvWriter;
 use ezy_core::simulate::{Outcome, SetupError, Simulation, StopReason};
 use ezy_models::ezy_roller::Coast;
+use ezy_study::output::OutputFile;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;

@@ -2,9 +2,9 @@
 
 use crate::{assert_current, assert_wrong_use, directory, ezy, output, text};
 use ezy_core::prelude::*;
-use ezy_core::report::drawing::sketch_within;
 use ezy_models::ezy_roller::Driven;
 use ezy_models::registry::MODELS;
+use ezy_study::report::drawing::sketch_within;
 use serde_json::Value;
 use std::path::Path;
 

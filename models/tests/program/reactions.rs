@@ -3,8 +3,8 @@
 use std::fs;
 
 use ezy_core::prelude::*;
-use ezy_core::report::reactions::{Reactions, WorkBalance};
 use ezy_models::registry::MODELS;
+use ezy_study::report::reactions::{Reactions, WorkBalance};
 
 use crate::run::{assert_wrong_use, directory};
 use crate::{json, output};

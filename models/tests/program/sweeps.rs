@@ -1,8 +1,8 @@
 //! Sweeps of the program: killed at any moment, continued, refused.
 
 use ezy_core::prelude::*;
-use ezy_core::sweep::{Case, Cell, Kept, Plan, Sweep};
 use ezy_models::registry::MODELS;
+use ezy_study::sweep::{Case, Cell, Kept, Plan, Sweep};
 
 use crate::run::{assert_wrong_use, directory, ezy, random, start, text};
 use crate::{json, output};

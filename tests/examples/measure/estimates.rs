@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use clap::Args;
 use ezy_core::prelude::*;
-use ezy_core::report::figure::Figure;
+use ezy_study::report::figure::Figure;
 use ezy_tests::estimates::{Judged, Question, Reference};
 use ezy_tests::fuzz::Scenes;
 use ezy_tests::fuzz::estimates::{Estimated, LARGEST, SMALLEST, estimated};

@@ -33,16 +33,15 @@ const ORDERS: [usize; 2] = [12, 20];
 /// What is counted: the columns of the table.
 const COLUMNS: [&str; 5] = ["right side", "step of RK4", "Taylor, order 12", "Taylor, order 20", "10 ms of gauss"];
 
-/// Does what column `i` counts `n` times; monomorphised for the scene, as a program of a user is. False when it cannot.
-fn repeat<S: Scene + Default>(column: usize, n: u64) -> Result<bool, Box<dyn Error>> {
-    let scene = S::default();
-    let run = |until_s: f64| Simulation::new(&scene).method(Method::rk4(STEP_S)).until(until_s).run();
+/// Does what column `i` counts `n` times, of a scene behind its trait, as the command line runs it. False when it cannot.
+fn repeat(scene: &dyn Scene, column: usize, n: u64) -> Result<bool, Box<dyn Error>> {
+    let run = |until_s: f64| Simulation::new(scene).method(Method::rk4(STEP_S)).until(until_s).run_dyn();
     if column == 1 {
         run(STEP_S * n as f64)?;
         return Ok(true);
     }
     if column == 4 {
-        Simulation::new(&scene).method(Method::gauss(RTOL)).until(PART_S * n as f64).run()?;
+        Simulation::new(scene).method(Method::gauss(RTOL)).until(PART_S * n as f64).run_dyn()?;
         return Ok(true);
     }
     let at = run(AT_S)?;
@@ -53,7 +52,7 @@ fn repeat<S: Scene + Default>(column: usize, n: u64) -> Result<bool, Box<dyn Err
         z: Vec::new(),
         work: Vec::new(),
     };
-    let system = System::new(&scene, Backend::Generated)?;
+    let system = System::new(scene, Backend::Generated)?;
     if column == 0 {
         let (mut a, mut lambda) = (vec![0.0; state.q.len()], vec![0.0; scene.info().n_rows()]);
         for _ in 0..n {
@@ -69,19 +68,23 @@ fn repeat<S: Scene + Default>(column: usize, n: u64) -> Result<bool, Box<dyn Err
     Ok(true)
 }
 
-type Repeat = fn(usize, u64) -> Result<bool, Box<dyn Error>>;
+type New = fn() -> Box<dyn Scene>;
 
-/// Scene, model, and what is repeated of it.
-const SCENES: [(&str, &str, Repeat); 9] = [
-    ("coast", "EzyRoller", repeat::<ezy_roller::Coast>),
-    ("driven", "EzyRoller", repeat::<ezy_roller::Driven>),
-    ("driven_on_tarmac", "EzyRoller", repeat::<ezy_roller::DrivenOnTarmac>),
-    ("drift", "EzyRoller", repeat::<ezy_roller::Drift>),
-    ("coast", "without effects", repeat::<coasting::Coast>),
-    ("driven", "with the torque alone", repeat::<pumped::Driven>),
-    ("drift", "with a tyre in place of the skate", repeat::<drifting::Drift>),
-    ("swing", "DoublePendulum", repeat::<double_pendulum::Swing>),
-    ("pushed", "SliderCrank", repeat::<slider_crank::Pushed>),
+fn new<S: Scene + Default + 'static>() -> Box<dyn Scene> {
+    Box::<S>::default()
+}
+
+/// Scene, model, and what makes it.
+const SCENES: [(&str, &str, New); 9] = [
+    ("coast", "EzyRoller", new::<ezy_roller::Coast>),
+    ("driven", "EzyRoller", new::<ezy_roller::Driven>),
+    ("driven_on_tarmac", "EzyRoller", new::<ezy_roller::DrivenOnTarmac>),
+    ("drift", "EzyRoller", new::<ezy_roller::Drift>),
+    ("coast", "without effects", new::<coasting::Coast>),
+    ("driven", "with the torque alone", new::<pumped::Driven>),
+    ("drift", "with a tyre in place of the skate", new::<drifting::Drift>),
+    ("swing", "DoublePendulum", new::<double_pendulum::Swing>),
+    ("pushed", "SliderCrank", new::<slider_crank::Pushed>),
 ];
 
 /// Counts machine instructions of scenes with valgrind, where that is installed
@@ -104,8 +107,8 @@ pub(crate) struct Counted {
 }
 
 pub(crate) fn repeat_scene(counted: &Counted) -> Outcome {
-    let (_, _, repeat) = SCENES.get(counted.scene).ok_or("there is no such scene")?;
-    repeat(counted.column, counted.n).map(|_| ())
+    let (_, _, new) = SCENES.get(counted.scene).ok_or("there is no such scene")?;
+    repeat(&*new(), counted.column, counted.n).map(|_| ())
 }
 
 pub(crate) fn run(asked: &Asked) -> Outcome {
@@ -114,10 +117,10 @@ pub(crate) fn run(asked: &Asked) -> Outcome {
         return Ok(());
     }
     let mut table = CountTable::new(surroundings(), &COLUMNS);
-    for (i, (scene, model, repeat)) in SCENES.iter().enumerate() {
+    for (i, (scene, model, new)) in SCENES.iter().enumerate() {
         let mut counts = Vec::new();
         for column in 0..COLUMNS.len() {
-            counts.push(if repeat(column, 1)? { Some(count(i, column)?) } else { None });
+            counts.push(if repeat(&*new(), column, 1)? { Some(count(i, column)?) } else { None });
         }
         table.push(&format!("`{scene}`, {model}"), counts);
     }

@@ -5,6 +5,7 @@
 use clap::Args;
 use ezy_core::prelude::*;
 use ezy_core::testing::{GivenSteps, StepsBy};
+use ezy_core_tests::{simulation, system_of};
 use ezy_models::{ezy_roller, knife_edge, pendulum, roller_racer};
 use ezy_tests::count_table::{instructions, is_installed};
 use ezy_tests::page::write_part;
@@ -40,12 +41,12 @@ pub(crate) struct Counted {
 /// Does `COUNTED[which]` for `n` steps of the driven EzyRoller.
 pub(crate) fn repeat(&Counted { which, n }: &Counted) -> Outcome {
     let scene = ezy_roller::Driven::default();
-    let order = Simulation::new(&scene).method(Method::rk4(STEP_S)).until(n as f64 * STEP_S);
+    let order = simulation(&scene).method(Method::rk4(STEP_S)).until(n as f64 * STEP_S);
     let order = if which < 2 { order } else { order.work() };
     if which.is_multiple_of(2) {
         order.stepper()?.step(n)?;
     } else {
-        order.run()?;
+        order.run_dyn()?;
     }
     Ok(())
 }
@@ -75,15 +76,15 @@ const SHORT_S: f64 = 1e-4;
 /// Largest error of the coordinates after a long run with both projections, against Taylor's method at 1e-15.
 fn error<S: Scene + Default>(compensated: bool) -> Result<f64, Box<dyn Error>> {
     let scene = S::default();
-    let run = |method| Simulation::new(&scene).method(method).until(LONG as f64 * SHORT_S).run();
+    let run = |method| simulation(&scene).method(method).until(LONG as f64 * SHORT_S).run_dyn();
     let end = if compensated {
         run(Method::rk4(SHORT_S))?.last().coordinates.to_vec()
     } else {
-        let mut system = System::new(&scene, Backend::Auto)?;
+        let mut system = system_of(&scene, Backend::Auto)?;
         let mut now = system.consistent_start(&system.scene_start())?;
         now.work.clear();
         let mut steps =
-            GivenSteps::new(System::new(&scene, Backend::Auto)?, now.clone(), StepsBy::Method(MethodKind::Rk4))
+            GivenSteps::new(system_of(&scene, Backend::Auto)?, now.clone(), StepsBy::Method(MethodKind::Rk4))
                 .ok_or("no steps")?;
         for n in 1..=LONG {
             now.clone_from(steps.attempt(SHORT_S)?.ok_or("no step")?);

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use clap::Args;
-use ezy_core::report::figure::Figure;
 use ezy_models::registry::MODELS;
+use ezy_study::report::figure::Figure;
 use ezy_tests::fuzz::Scenes;
 use ezy_tests::fuzz::methods::{Case, MARGIN, Told};
 use ezy_tests::page::docs;

@@ -1,10 +1,10 @@
 //! What accuracy costs: the errors are those that an independent comparison finds, the ladder climbs, budgets hold.
 
-use ezy_core::accuracy::{Accuracy, AccuracyError, Ladder, Measured, PointResult, Variant, WorkPrecision};
 use ezy_core::prelude::*;
 use ezy_core_tests::simulation;
 use ezy_models::registry::find;
 use ezy_models::{double_pendulum, ezy_roller};
+use ezy_study::accuracy::{Accuracy, AccuracyError, Ladder, Measured, PointResult, Variant, WorkPrecision};
 use ezy_tests::reference::load;
 
 /// Two references with 31 digits from starts that differ in the last bit, and their rounding to f64.

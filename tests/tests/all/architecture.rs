@@ -26,19 +26,20 @@ const CORE: &[(&str, &[&str])] = &[
     ("dynamics", &["dynamics", "linalg", "model", "scalar"]),
     ("analysis", &["analysis", "dynamics", "linalg", "model", "scalar"]),
     ("integrate", &["integrate", "dynamics", "linalg", "model", "scalar"]),
-    ("output", &["output"]),
     ("record", &["record", "model"]),
     ("simulate", &["simulate", "integrate", "dynamics", "linalg", "record", "model", "scalar"]),
     ("optimise", &["optimise", "simulate", "integrate", "record", "model", "scalar"]),
-    ("report", &["report", "output", "record", "model"]),
-    (
-        "accuracy",
-        &["accuracy", "simulate", "integrate", "dynamics", "linalg", "output", "record", "report", "model", "scalar"],
-    ),
-    ("sweep", &["sweep", "simulate", "dynamics", "linalg", "output", "record", "model"]),
 ];
 
-/// The command line, and the layers of the core that it may import.
+/// The layers of studies, with those of the core that each may import.
+const STUDY: &[(&str, &[&str])] = &[
+    ("output", &["output"]),
+    ("report", &["report", "output", "record", "model"]),
+    ("accuracy", &["accuracy", "simulate", "integrate", "dynamics", "output", "record", "report", "model", "scalar"]),
+    ("sweep", &["sweep", "simulate", "output", "record", "model"]),
+];
+
+/// The command line, and the layers of core and studies that it may import.
 const CLI: (&str, &[&str]) = (
     "ezy-cli",
     &[
@@ -63,15 +64,18 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-fn check(source: &str, layers: &[(&str, &[&str])]) {
+/// `crates`: those whose layers have the names that are listed, by the words that begin their paths.
+fn check(source: &str, crates: &[&str], layers: &[(&str, &[&str])]) {
     let texts = modules(source);
     for (layer, allowed) in layers {
         let of_layer = || texts.iter().filter(|(module, _)| module.first().is_some_and(|first| first == layer));
         assert!(of_layer().next().is_some(), "{source}/{layer} is gone");
         // the unit tests of a layer may use what they like
         for (module, text) in of_layer().filter(|(module, _)| !module.iter().any(|name| name == "tests")) {
-            for import in circles::paths(text).iter().filter(|path| path[0] == "crate").map(|path| path[1].as_str()) {
-                let is_layer = layers.iter().any(|(layer, _)| *layer == import);
+            let paths = circles::paths(text);
+            let of_crates = paths.iter().filter(|path| path.len() > 1 && crates.contains(&path[0].as_str()));
+            for import in of_crates.map(|path| path[1].as_str()) {
+                let is_layer = [CORE, layers].concat().iter().any(|(layer, _)| *layer == import);
                 assert!(!is_layer || allowed.contains(&import), "{source}/{} imports `{import}`", module.join("/"));
             }
         }
@@ -80,20 +84,28 @@ fn check(source: &str, layers: &[(&str, &[&str])]) {
 
 #[test]
 fn invariant_layers_of_the_macro_import_downwards() {
-    check("ezy-derive/src", DERIVE);
+    check("ezy-derive/src", &["crate"], DERIVE);
 }
 
 #[test]
 fn invariant_layers_of_the_core_import_downwards() {
-    check("ezy-core/src", CORE);
+    check("ezy-core/src", &["crate"], CORE);
+}
+
+#[test]
+fn invariant_layers_of_studies_import_downwards() {
+    check("ezy-study/src", &["crate", "ezy_core"], STUDY);
 }
 
 #[test]
 fn invariant_command_line_imports_the_layers_that_are_listed() {
     let texts = modules("ezy-cli/src");
     let paths: Vec<Vec<String>> = texts.values().flat_map(|text| circles::paths(text)).collect();
-    let imported: BTreeSet<&str> =
-        paths.iter().filter(|path| path[0] == "ezy_core" && path.len() > 1).map(|path| path[1].as_str()).collect();
+    let imported: BTreeSet<&str> = paths
+        .iter()
+        .filter(|path| ["ezy_core", "ezy_study"].contains(&path[0].as_str()) && path.len() > 1)
+        .map(|path| path[1].as_str())
+        .collect();
     assert_eq!(imported, CLI.1.iter().copied().collect());
 }
 
@@ -109,11 +121,11 @@ const PLACES: [&[(&str, [u32; 2])]; 2] = [
         ("integrate", [240, 4]),
         ("dynamics", [240, 3]),
         ("export", [580, 4]),
-        ("report", [500, 3]),
+        ("report", [500, 5]),
         ("layout", [100, 2]),
         ("linalg", [240, 2]),
         ("record", [420, 2]),
-        ("output", [640, 2]),
+        ("output", [640, 4]),
         ("model", [280, 1]),
         ("scalar", [280, 0]),
     ],
@@ -140,7 +152,7 @@ fn picture() -> String {
     let y = |floor: u32| FLOOR * (7 - floor) + 56;
     let mut lines = String::new();
     let mut boxes = String::new();
-    let upwards = [&[CLI], CORE].concat();
+    let upwards = [&[CLI], CORE, STUDY].concat();
     for (layers, places) in [&upwards[..], DERIVE].into_iter().zip(PLACES) {
         let place = |layer: &str| places.iter().find(|(name, _)| *name == layer).map(|(_, place)| *place);
         // what emitted code calls stands beside the layers
@@ -158,7 +170,7 @@ fn picture() -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1080 540\" font-family=\"sans-serif\" font-size=\"15\">\n\
          <style>text {{ fill: #222; text-anchor: middle; }} path, rect {{ fill: none; stroke: #667; }} rect {{ fill: #eef; }}\n\
          @media (prefers-color-scheme: dark) {{ text {{ fill: #eee; }} path, rect {{ stroke: #99a; }} rect {{ fill: #223; }} }}</style>\n\
-         <text x=\"120\" y=\"30\">ezy-core</text>\n<text x=\"860\" y=\"30\">ezy-derive</text>\n{lines}{boxes}</svg>\n"
+         <text x=\"120\" y=\"30\">ezy-core</text>\n<text x=\"660\" y=\"84\">ezy-study</text>\n<text x=\"860\" y=\"30\">ezy-derive</text>\n{lines}{boxes}</svg>\n"
     )
 }
 
@@ -177,7 +189,7 @@ fn regress_picture_of_the_layers_is_that_of_their_imports() {
 
 /// Texts in single backquotes that are paths of the repository.
 pub fn paths(page: &str) -> Vec<&str> {
-    let prefixes = ["ezy-derive/", "ezy-core/", "ezy-cli/", "models/", "tests/", "docs/"];
+    let prefixes = ["ezy-derive/", "ezy-core/", "ezy-study/", "ezy-cli/", "models/", "tests/", "docs/"];
     let quoted = page.split('`').skip(1).step_by(2);
     quoted.filter(|quoted| prefixes.iter().any(|prefix| quoted.starts_with(prefix))).collect()
 }

@@ -23,6 +23,11 @@ fn invariant_files_of_the_core_have_no_circles() {
 }
 
 #[test]
+fn invariant_files_of_studies_have_no_circles() {
+    check("ezy-study/src");
+}
+
+#[test]
 fn invariant_files_of_the_command_line_have_no_circles() {
     check("ezy-cli/src");
 }

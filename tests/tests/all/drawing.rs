@@ -2,9 +2,9 @@
 
 use ezy_core::integrate::Method;
 use ezy_core::model::{Scene, SceneInfo};
-use ezy_core::report::drawing::{Drawing, Elements, Placed, sketch, sketch_within};
 use ezy_core_tests::simulation;
 use ezy_models::registry::MODELS;
+use ezy_study::report::drawing::{Drawing, Elements, Placed, sketch, sketch_within};
 
 /// Rounding of positions of some metres.
 const ROUNDING: f64 = 1e-9;

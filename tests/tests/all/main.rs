@@ -46,6 +46,7 @@ mod packages;
 mod parallel_cranks;
 mod precise;
 mod projection;
+mod quantities;
 mod radau;
 mod rank;
 mod recording;

@@ -1,10 +1,10 @@
 //! A moving picture, read again: its frames, their times, and where the body is in each.
 
 use ezy_core::prelude::*;
-use ezy_core::report::drawing::{Drawing, Elements, Film, Placed};
 use ezy_core_tests::simulation;
 use ezy_models::ezy_roller::Driven;
 use ezy_models::pendulum::Swing;
+use ezy_study::report::drawing::{Drawing, Elements, Film, Placed};
 
 const WIDTH: u32 = 300;
 const N_FRAMES: usize = 8;

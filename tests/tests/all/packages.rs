@@ -6,10 +6,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Packages that are published, in the order in which that is done.
-const PUBLISHED: [&str; 4] = ["ezy-derive", "ezy-core", "ezy-cli", "models"];
+const PUBLISHED: [&str; 5] = ["ezy-derive", "ezy-core", "ezy-study", "ezy-cli", "models"];
 
 /// Those of the workspace.
-const MEMBERS: [&str; 5] = ["ezy-derive", "ezy-core", "ezy-cli", "models", "tests"];
+const MEMBERS: [&str; 6] = ["ezy-derive", "ezy-core", "ezy-study", "ezy-cli", "models", "tests"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

@@ -28,7 +28,7 @@ const A_MINUTE: f64 = 1e-27;
 const ENERGY: f64 = 1e-28;
 
 /// The driven roller with exact decimals and all digits of π.
-fn driven(scene: &ezy_roller::Driven) -> PreciseMotion<'_, ezy_roller::Driven> {
+fn driven(scene: &ezy_roller::Driven) -> PreciseMotion<'_> {
     let parameters = ["0.2", "0.6", "0.1", "0.1", "46", "10", "1", "0.005", "2"].map(decimal);
     let parameters: Vec<DoubleDouble> = parameters.into_iter().chain([DoubleDouble::PI]).collect();
     let zero = DoubleDouble::from(0.0);

@@ -32,7 +32,7 @@ const NAMES: [&str; 2] = ["N_OF_BODY", "Component::ALL"];
 #[test]
 fn invariant_number_of_coordinates_of_a_body_is_said_once() {
     let mut found: Vec<(String, String)> = Vec::new();
-    for source in ["ezy-core/src", "ezy-cli/src", "ezy-derive/src"] {
+    for source in ["ezy-core/src", "ezy-study/src", "ezy-cli/src", "ezy-derive/src"] {
         let mut texts = modules(source);
         remove_tests(&mut texts);
         let texts = texts.into_iter().map(|(module, text)| (module.join("/"), text));

@@ -4,9 +4,9 @@ use crate::scenes::{assert_checks, distance};
 use ezy_core::dynamics::SystemError;
 use ezy_core::model::Equations;
 use ezy_core::prelude::*;
-use ezy_core::report::drawing::Elements;
 use ezy_core::scalar::{DoubleDouble, Dual, Scalar};
 use ezy_core_tests::{simulation, system_of};
+use ezy_study::report::drawing::Elements;
 
 model! {
     /// A chain that becomes thinner: link i has the part 1 - i/(2 n) of the length and of the mass of the first one.

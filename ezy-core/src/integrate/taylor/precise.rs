@@ -8,7 +8,7 @@ use crate::integrate::Tolerance;
 use crate::integrate::tolerances::precise::{MAX_CORRECTIONS, MAX_REFINEMENTS, TOLERANCE};
 use crate::integrate::tolerances::steps::SHORTEST;
 use crate::linalg::Backend;
-use crate::model::{Pivots, PreciseScene, Scene, SceneRef, SeriesStore};
+use crate::model::{Pivots, PreciseScene, Scene, SeriesStore};
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// Order of a step; that of least time for [`TOLERANCE`].
@@ -52,9 +52,9 @@ pub enum PreciseError {
 /// motion.advance_to(60.0)?;
 /// println!("{:?}", motion.q());
 /// ```
-pub struct PreciseMotion<'s, S: Scene + ?Sized> {
+pub struct PreciseMotion<'s> {
     scene: &'s dyn PreciseScene,
-    solver: Refined<'s, &'s S>,
+    solver: Refined<'s>,
     store: SeriesStore<DoubleDouble>,
     weights: Vec<f64>,
     t: f64,
@@ -69,13 +69,13 @@ pub struct PreciseMotion<'s, S: Scene + ?Sized> {
     residual: Vec<DoubleDouble>,
 }
 
-impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
+impl<'s> PreciseMotion<'s> {
     /// From a state that meets the rows in f64, with the present parameters and the declared inputs.
     ///
     /// # Errors
     /// [`PreciseError`] when the scene has no series, cannot be set up, has other first-order states, or its constraints depend on each other
     /// at the start.
-    pub fn new(scene: &'s S, start: &State) -> Result<Self, PreciseError> {
+    pub fn new(scene: &'s dyn Scene, start: &State) -> Result<Self, PreciseError> {
         let parameters = (0..scene.info().parameters.len()).map(|i| scene.parameter(i).into());
         let parameters: Vec<DoubleDouble> = parameters.collect();
         let [q, v, z] = [&start.q, &start.v, &start.z].map(|x| x.iter().map(|x| (*x).into()).collect::<Vec<_>>());
@@ -88,7 +88,7 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
     /// # Errors
     /// As [`PreciseMotion::new`].
     pub fn with_parameters(
-        scene: &'s S,
+        scene: &'s dyn Scene,
         parameters: &[DoubleDouble],
         t: f64,
         q: &[DoubleDouble],
@@ -99,7 +99,7 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
     }
 
     fn from_numbers(
-        scene: &'s S,
+        scene: &'s dyn Scene,
         parameters: &[DoubleDouble],
         t: f64,
         [q, v, z]: [&[DoubleDouble]; 3],
@@ -267,9 +267,9 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
 }
 
 /// Solves K by factors in f64 and iterative refinement.
-struct Refined<'s, P: SceneRef> {
+struct Refined<'s> {
     scene: &'s dyn PreciseScene,
-    system: System<P>,
+    system: System<&'s dyn Scene>,
     fixed: Vec<DoubleDouble>,
     mass: Vec<DoubleDouble>,
     jacobian: Vec<DoubleDouble>,
@@ -282,7 +282,7 @@ struct Refined<'s, P: SceneRef> {
     q: Vec<f64>,
 }
 
-impl<P: SceneRef> Refined<'_, P> {
+impl Refined<'_> {
     /// Whether the scene's own elimination is used.
     fn accepts(&self, pivots: Pivots) -> bool {
         pivots.all_keep() && self.system.uses_elimination()
@@ -313,7 +313,7 @@ impl<P: SceneRef> Refined<'_, P> {
     }
 }
 
-impl<P: SceneRef> OrderSolver<DoubleDouble> for Refined<'_, P> {
+impl OrderSolver<DoubleDouble> for Refined<'_> {
     fn fixed(&self) -> &[DoubleDouble] {
         &self.fixed
     }

@@ -33,7 +33,6 @@ impl Limits {
     }
 
     /// Whether a run is watched by more than it is by itself.
-    #[cfg(feature = "sweep")]
     pub(crate) fn are_given(&self) -> bool {
         *self != Self::default()
     }

@@ -3,17 +3,17 @@
 use std::time::Duration;
 
 /// Whether the system tells processor time in steps short enough to time a run. Windows has steps of 16 ms.
-pub(crate) const IS_KNOWN: bool = cfg!(unix);
+pub const IS_KNOWN: bool = cfg!(unix);
 
 /// Processor time of this thread since some beginning; wall time where it is not known.
 #[cfg(unix)]
-pub(crate) fn processor_time() -> Duration {
+pub fn processor_time() -> Duration {
     cpu_time::ThreadTime::try_now().map_or_else(|_| wall_time(), |time| time.as_duration())
 }
 
 /// Processor time of this thread since some beginning; wall time where it is not known.
 #[cfg(not(unix))]
-pub(crate) fn processor_time() -> Duration {
+pub fn processor_time() -> Duration {
     wall_time()
 }
 

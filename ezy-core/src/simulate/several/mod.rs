@@ -4,6 +4,5 @@ pub(in crate::simulate) mod eight_steppers;
 pub(in crate::simulate) mod ensemble;
 pub(in crate::simulate) mod estimated_run;
 pub(in crate::simulate) mod sensitivity;
-#[cfg(feature = "sweep")]
 pub(in crate::simulate) mod together;
 pub(in crate::simulate) mod trajectory;

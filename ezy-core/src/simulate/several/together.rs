@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A run that waits for others to step with.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Waiting {
+pub struct WaitingRun {
     parameters: Vec<f64>,
     inputs: Vec<f64>,
     start: State,
@@ -28,7 +28,7 @@ pub(crate) struct Waiting {
 
 /// The end of a run.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct End {
+pub struct EndOfRun {
     /// Those of the columns of a sample with outputs and without works.
     pub numbers: Vec<f64>,
     /// Its time, s.
@@ -40,14 +40,24 @@ pub(crate) struct End {
 }
 
 /// Why a run steps by itself.
-pub(crate) type Alone = &'static str;
+pub type Alone = &'static str;
+
+impl<'s> Simulation<'s, &'s (dyn Scene + 's)> {
+    /// [`Simulation::waiting`] for a scene behind its trait: compiled with this crate, so that a caller is as fast when it is not optimised.
+    ///
+    /// # Errors
+    /// Those of [`Simulation::waiting`].
+    pub fn waiting_dyn(&self) -> Result<WaitingRun, Alone> {
+        self.waiting()
+    }
+}
 
 impl<P: SceneRef> Simulation<'_, P> {
     /// The run as one that waits for others.
     ///
     /// # Errors
     /// Why it has to step by itself, also to say what is wrong with it.
-    pub(crate) fn waiting(&self) -> Result<Waiting, Alone> {
+    pub fn waiting(&self) -> Result<WaitingRun, Alone> {
         let (settings, info) = (&self.settings, self.scene.info());
         let solver = &settings.solver;
         let Some(tolerance) = solver.method.tolerance().filter(|_| solver.method.kind() == MethodKind::Dop853) else {
@@ -83,7 +93,7 @@ impl<P: SceneRef> Simulation<'_, P> {
         let until_s = settings.until_s;
         let can_end = until_s.is_finite() && until_s >= start.t;
         let (parameters, inputs) = (self.scene.parameters(), system.inputs().to_vec());
-        if can_end { Ok(Waiting { parameters, inputs, start, until_s, tolerance }) } else { Err(CANNOT_START) }
+        if can_end { Ok(WaitingRun { parameters, inputs, start, until_s, tolerance }) } else { Err(CANNOT_START) }
     }
 }
 
@@ -95,14 +105,14 @@ const STOPS: Alone = "one of the eight stops early, or comes close to a singular
 ///
 /// # Errors
 /// Why they have to step by themselves, one by one; also once a flag is set.
-pub(crate) fn run_together<'s, S: Scene + ?Sized>(
-    scene: &'s S,
-    runs: &[Waiting],
+pub fn run_together(
+    scene: &dyn Scene,
+    runs: &[WaitingRun],
     interrupts: &[&AtomicBool],
-) -> Result<Vec<End>, Alone> {
+) -> Result<Vec<EndOfRun>, Alone> {
     let first = runs.first().ok_or(CANNOT_START)?;
     let is_same =
-        |run: &Waiting| (run.start.t, run.until_s, run.tolerance) == (first.start.t, first.until_s, first.tolerance);
+        |run: &WaitingRun| (run.start.t, run.until_s, run.tolerance) == (first.start.t, first.until_s, first.tolerance);
     if !runs.iter().all(is_same) {
         return Err("the eight have different times or tolerances");
     }
@@ -124,7 +134,7 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
     let mut trajectory =
         Trajectory::new(together, Arc::clone(&info), start, Method::default().with_tolerance(first.tolerance))
             .map_err(|_| CANNOT_START)?;
-    let pivot = |(system, run): (&mut System<&'s S>, &Waiting)| {
+    let pivot = |(system, run): (&mut System<&dyn Scene>, &WaitingRun)| {
         system.at_with(run.start.t, &run.start.q, Rows::Held).smallest_pivot()
     };
     let too_near = TOO_NEAR * systems.iter_mut().zip(runs).map(pivot).fold(0.0, f64::max);
@@ -141,7 +151,7 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
         n_steps += 1;
     }
     let now = trajectory.now;
-    let end = |(lane, mut system): (usize, System<&'s S>)| {
+    let end = |(lane, mut system): (usize, System<&dyn Scene>)| {
         let mut at = Snapshot::zero(&info, false);
         let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
         at.state = State { t: now.t, q: of_lane(&now.q), v: of_lane(&now.v), z: Vec::new(), work: Vec::new() };
@@ -151,7 +161,7 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
         let numbers = sampler.record.samples().next()?.numbers().collect();
         let mut points = vec![0.0; 2 * info.points.len()];
         scene.points(system.fixed(), now.t, &at.state.q, &mut points);
-        Some(End { numbers, t: now.t, points, n_steps })
+        Some(EndOfRun { numbers, t: now.t, points, n_steps })
     };
     systems.into_iter().enumerate().map(end).collect::<Option<_>>().ok_or(STOPS)
 }

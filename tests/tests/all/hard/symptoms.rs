@@ -36,8 +36,10 @@ fn sources(folder: &Path) -> String {
 #[test]
 fn invariant_symptoms_quote_messages_that_are_there() {
     let root = docs("..");
-    let text: String =
-        ["ezy-core/src", "ezy-cli/src", "models/src"].iter().map(|folder| sources(&root.join(folder))).collect();
+    let text: String = ["ezy-core/src", "ezy-study/src", "ezy-cli/src", "models/src"]
+        .iter()
+        .map(|folder| sources(&root.join(folder)))
+        .collect();
     let mut seen = 0;
     for [symptom, ..] in symptoms() {
         for quoted in symptom.split('"').skip(1).step_by(2) {

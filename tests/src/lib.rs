@@ -11,7 +11,6 @@ pub mod hard;
 pub mod page;
 pub mod parallel_cranks;
 pub mod piloted;
-pub mod plain_rollers;
 #[rustfmt::skip]
 pub mod random_models;
 pub mod reference;

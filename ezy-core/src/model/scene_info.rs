@@ -203,7 +203,7 @@ impl SceneInfo {
         self.inputs.len() + self.states.len() + self.n_constants
     }
 
-    /// `c` with inputs and first-order states as declared; [`Derived::constants`](super::Derived::constants) writes what is behind them.
+    /// `c` with inputs and first-order states as declared; [`Equations::constants`](super::Equations::constants) writes what is behind them.
     pub fn declared_values(&self) -> Vec<f64> {
         let mut c = vec![0.0; self.n_fixed()];
         let declared = self.inputs.iter().chain(self.states);

@@ -3,6 +3,9 @@
 //!
 //! They are a package of their own, since all of a package is optimised alike: the solver is worth it, and tests are not.
 
+pub mod plain_rollers;
+pub mod repeated;
+
 use ezy_core::dynamics::SystemError;
 use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;

@@ -3,70 +3,18 @@
 //! Something is done n times and 2n times, and the difference counts, so that start and end of a program cancel.
 
 use clap::Args;
-use ezy_core::integrate::Method;
-use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;
-use ezy_core::prelude::{State, System};
-use ezy_core::simulate::Simulation;
-use ezy_core::testing::{GivenSteps, StepsBy};
+use ezy_core_tests::plain_rollers::{coasting, drifting, pumped};
+use ezy_core_tests::repeated::{COLUMNS, repeat};
 use ezy_models::{double_pendulum, ezy_roller, slider_crank};
 use ezy_tests::count_table::{CountTable, instructions, is_installed, surroundings};
 use ezy_tests::page::{docs, part, write_part};
-use ezy_tests::plain_rollers::{coasting, drifting, pumped};
 use std::error::Error;
-use std::hint::black_box;
 
 use super::Outcome;
 
 /// Long enough that a few instructions more in a start are less than one of what is counted.
 const N: u64 = 2000;
-/// Step of RK4, s.
-const STEP_S: f64 = 1e-3;
-/// Where a right side and a series are evaluated, s: nothing is zero by symmetry there.
-const AT_S: f64 = 0.5;
-/// Tolerance of collocation, whose steps differ in length: a part of the motion is counted, s.
-const RTOL: f64 = 1e-9;
-const PART_S: f64 = 0.01;
-/// Orders of Taylor's method at tolerances of about 1e-9 and 1e-16.
-const ORDERS: [usize; 2] = [12, 20];
-
-/// What is counted: the columns of the table.
-const COLUMNS: [&str; 5] = ["right side", "step of RK4", "Taylor, order 12", "Taylor, order 20", "10 ms of gauss"];
-
-/// Does what column `i` counts `n` times, of a scene behind its trait, as the command line runs it. False when it cannot.
-fn repeat(scene: &dyn Scene, column: usize, n: u64) -> Result<bool, Box<dyn Error>> {
-    let run = |until_s: f64| Simulation::new(scene).method(Method::rk4(STEP_S)).until(until_s).run_dyn();
-    if column == 1 {
-        run(STEP_S * n as f64)?;
-        return Ok(true);
-    }
-    if column == 4 {
-        Simulation::new(scene).method(Method::gauss(RTOL)).until(PART_S * n as f64).run_dyn()?;
-        return Ok(true);
-    }
-    let at = run(AT_S)?;
-    let state = State {
-        t: AT_S,
-        q: at.last().coordinates.to_vec(),
-        v: at.last().velocities.to_vec(),
-        z: Vec::new(),
-        work: Vec::new(),
-    };
-    let system = System::new(scene, Backend::Generated)?;
-    if column == 0 {
-        let (mut a, mut lambda) = (vec![0.0; state.q.len()], vec![0.0; scene.info().n_rows()]);
-        for _ in 0..n {
-            black_box(scene.accelerations(system.fixed(), state.t, &state.q, &state.v, &mut a, &mut lambda));
-        }
-        return Ok(true);
-    }
-    let order = StepsBy::Taylor(ORDERS[column - 2]);
-    let Some(mut steps) = GivenSteps::new(system, state, order) else { return Ok(false) };
-    for _ in 0..n {
-        black_box(steps.attempt(black_box(STEP_S))?);
-    }
-    Ok(true)
-}
 
 type New = fn() -> Box<dyn Scene>;
 

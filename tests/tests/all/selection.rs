@@ -2,11 +2,11 @@
 
 use ezy_core::integrate::Method;
 use ezy_core::model::{Operations, Scene, SceneInfo};
+use ezy_core_tests::plain_rollers::{coasting, drifting, pumped};
 use ezy_core_tests::simulation;
 use ezy_models::ezy_roller;
 use ezy_tests::page::{docs, part, write_part};
 use ezy_tests::piloted::{piloted, unpiloted};
-use ezy_tests::plain_rollers::{coasting, drifting, pumped};
 
 /// Scenes of the EzyRoller, each beside the model without what it leaves out: effects, parameters, releases, inputs.
 fn pairs() -> [(Box<dyn Scene>, Box<dyn Scene>); 4] {

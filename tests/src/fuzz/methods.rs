@@ -4,7 +4,7 @@
 use ezy_core::integrate::PreciseMotion;
 use ezy_core::model::{Name, SceneEntry};
 use ezy_core::prelude::*;
-use ezy_core::simulate::SetupError;
+use ezy_core::simulate::{EnergyError, SetupError};
 
 use super::draw::Draw;
 use super::parameters::{Scenes, change};
@@ -304,7 +304,7 @@ impl Case {
             let adds_up = excess <= told_by_run;
             // from here on `ezy run` remarks on the energy
             let tolerance = method.tolerance().map_or(f64::INFINITY, |t| t.relative);
-            let explained = told_by_run * tolerance;
+            let explained = (told_by_run * tolerance).min(EnergyError::LARGEST_OF_FIXED_STEPS);
             let attainable = motion.rounding.max(method.iteration_floor()).max(tolerance);
             let is_rounding = excess * tolerance <= told_by_run * attainable;
             // a soft impact more or less hardly moves the bodies

@@ -71,7 +71,10 @@ pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Re
                 let moved = moved.ok().filter(|(by, _)| *by == method);
                 let amplification = moved.map(|(_, moved)| amplification(&second, &moved, length_of_move(method)));
                 let second = match takes_the_same_steps((method, &second), (first, &main)) {
-                    true => first_finished(&others, &|method| other(method, 0.0)),
+                    true => first_finished(&others, &|method| match other(method, 0.0)? {
+                        run if takes_the_same_steps((method, &run), (first, &main)) => Err("took them, too".to_owned()),
+                        run => Ok(run),
+                    }),
                     false => Ok((method, second)),
                 };
                 match second {
@@ -88,13 +91,12 @@ pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Re
 }
 
 /// Whether a second run has about the errors of the first: it takes as many steps, or hardly more with a smaller tolerance. Something else limits most of them
-/// then: the first steps of a run hardly depend on its tolerance. Not for `taylor`, which raises its order instead, nor for `radau`, whose steps in a decay
-/// grow as far as they may.
+/// then: the first steps of a run hardly depend on its tolerance. Not for `taylor`, which raises its order instead.
 fn takes_the_same_steps((second, of_second): (Method, &Run), (first, of_first): (Method, &Run)) -> bool {
     let [many, few] = [of_second, of_first].map(|run| run.cost.steps);
     let relative = |method: Method| method.tolerance().map(|tolerance| tolerance.relative);
     let is_tighter = relative(second) < relative(first);
-    let needs_more = first.info().order.is_some() && !first.info().is_implicit;
+    let needs_more = first.info().order.is_some();
     let are_as_many = many == few || is_tighter && needs_more && (many as f64) < AS_MANY * few as f64;
     // as many steps of another method are chance
     second.kind() == first.kind() && are_as_many
@@ -133,7 +135,7 @@ fn seconds(method: Method) -> Vec<Method> {
 }
 
 /// How a second run is made where the same method takes the same steps, as over a very short time. Their errors may be far below the tolerance: another method
-/// goes near rounding.
+/// goes near rounding. That of an implicit one is the same with a still smaller tolerance first, since the scene may be stiff.
 fn others(method: Method) -> Vec<Method> {
     let Some(tolerance) = method.tolerance() else { return Vec::new() };
     let relative = (TIGHTER * TIGHTER * tolerance.relative).min(LOOSER * ROUNDING);
@@ -142,7 +144,12 @@ fn others(method: Method) -> Vec<Method> {
     let absolute = tighter.absolute.max(tolerance.absolute.min(Tolerance::SMALLEST_RELATIVE));
     let tighter = Tolerance { absolute, ..tighter };
     let all = [MethodKind::Dop853, MethodKind::Taylor, MethodKind::Gauss];
-    all.into_iter().filter(|other| *other != method.kind()).filter_map(|other| other.with_tolerance(tighter)).collect()
+    let all = all.into_iter().filter(|other| *other != method.kind());
+    let info = method.info();
+    let same = TIGHTER * TIGHTER * tolerance.relative;
+    let same = (info.is_implicit && same >= info.rounding)
+        .then(|| method.kind().with_tolerance(tolerance.with_relative(same)));
+    same.flatten().into_iter().chain(all.filter_map(|other| other.with_tolerance(tighter))).collect()
 }
 
 /// What the start of a third run is moved by, of the sizes of its numbers: large beside the errors of that run, small enough for changes

@@ -9,7 +9,7 @@
 //! | [`report::reactions`] | the largest forces in the joints, and where power flows |
 //! | [`output`] | files that take their place when they are complete |
 //!
-//! A crate of its own, because none of it runs long: `ezy-core` is optimised, and this need not be.
+//! A crate of its own, because none of it computes a motion: `ezy-core` is optimised, and this need not be.
 //!
 //! # Layers
 //!

@@ -4,9 +4,9 @@ use crate::error::wrong;
 use ezy_cli::animation_page;
 use ezy_core::integrate::Method;
 use ezy_core::model::{Equation, Scene, SceneInfo};
+use ezy_core::simulate::Run;
 use ezy_study::report::drawing::{Drawing, Elements, Film, Placed};
 use ezy_study::report::page::escape;
-use ezy_core::simulate::Run;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 

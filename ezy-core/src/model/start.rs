@@ -1,8 +1,8 @@
 //! Start values, which a scene prescribes or a user gives.
 
-use super::Scene;
 use super::body_kind::set_upright;
 use super::scene_info::SceneInfo;
+use super::{LayoutFault, Scene};
 
 /// Start values that a scene prescribes. What is not given is assembled from the constraints.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,14 +39,20 @@ impl Start {
     }
 
     /// That which a scene declares.
-    pub fn declared<S: Scene + ?Sized>(scene: &S) -> Self {
+    ///
+    /// # Errors
+    /// [`LayoutFault`] when the counts of the scene cannot be used.
+    pub fn declared<S: Scene + ?Sized>(scene: &S) -> Result<Self, LayoutFault> {
         let info = scene.info();
+        if let Some(fault) = info.repeats.as_ref().and_then(|repeats| repeats.fault.as_ref()) {
+            return Err(fault.clone());
+        }
         let mut start = Self::free_of(&info);
         start.z.extend(info.states.iter().map(|state| state.default));
         let mut c = info.declared_values();
         scene.constants(&scene.parameters(), &mut c);
         scene.start(&c, &mut start);
-        start
+        Ok(start)
     }
 
     /// Nothing given, everything zero, for so many coordinates and velocities.

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use super::variant::Variant;
+use ezy_core::dynamics::SystemError;
 use ezy_core::integrate::Method;
 use ezy_core::model::{Scene, Start};
 use ezy_core::record::{RecordError, Recorder, Sample};
@@ -50,7 +51,7 @@ impl<'s> Runs<'s> {
         interrupt: Option<&'s AtomicBool>,
     ) -> Result<Self, SetupError> {
         SetupError::refuse_modes(&scene.info())?;
-        let start_s = Start::declared(scene).t;
+        let start_s = Start::declared(scene).map_err(SystemError::from)?.t;
         let every_s = (until_s - start_s) / N_INTERVALS as f64;
         Ok(Self { scene, given, inputs, start_s, until_s, every_s, interrupt })
     }

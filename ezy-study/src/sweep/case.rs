@@ -132,7 +132,6 @@ impl<'a> Case<'a> {
             Outcome::ReachedEnd => (Ended::ReachedEnd, String::new()),
             Outcome::ReachedEvent { name, .. } => (Ended::ReachedEvent(name), String::new()),
             other @ Outcome::Untrusted { .. } => (Ended::Untrusted, other.to_string()),
-
             Outcome::Interrupted { .. } => (Ended::Interrupted, String::new()),
             other => (Ended::Stopped, other.to_string()),
         };

@@ -12,7 +12,7 @@ mod without {
     fn unsupported<T>() -> io::Result<T> {
         Err(io::Error::new(
             io::ErrorKind::Unsupported,
-            "this program was built without Parquet; add \"parquet\" to the features of ezy-core in Cargo.toml, or write CSV",
+            "this program was built without Parquet; add \"parquet\" to the features of ezy-cli, or of ezy-study, in Cargo.toml, or write CSV",
         ))
     }
 

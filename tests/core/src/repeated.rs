@@ -1,5 +1,5 @@
-//! What is repeated to count its instructions: in this package, since it is compiled in one piece, and counts do not change with what stands
-//! beside it.
+//! What is repeated to count its instructions: in this package, since it is compiled in one unit, and its counts do not change with what
+//! stands beside it.
 
 use ezy_core::integrate::Method;
 use ezy_core::linalg::Backend;

@@ -3,7 +3,7 @@
 use ezy_core::prelude::*;
 use ezy_core_tests::simulation;
 use ezy_models::registry::find;
-use ezy_models::{double_pendulum, ezy_roller};
+use ezy_models::{chain, double_pendulum, ezy_roller};
 use ezy_study::accuracy::{Accuracy, AccuracyError, Ladder, Measured, PointResult, Variant, WorkPrecision};
 use ezy_tests::reference::load;
 
@@ -146,4 +146,6 @@ fn invariant_orders_that_cannot_be_carried_out_are_refused() {
     assert!(matches!(refused(Accuracy::new(&scene).until(0.0)), AccuracyError::NoTime { .. }));
     assert!(matches!(refused(Accuracy::new(&scene).budget(0.0)), AccuracyError::Budget { .. }));
     assert!(matches!(refused(Accuracy::new(&scene).start("seat.z", 0.0)), AccuracyError::Setup(_)));
+    let too_long = chain::Swing { n: 2_000_000, ..Default::default() };
+    assert!(matches!(refused(Accuracy::new(&too_long)), AccuracyError::Setup(_)));
 }

@@ -39,7 +39,7 @@ pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Re
         ..settings.clone()
     };
     let first = settings.solver.method;
-    let (methods, others) = (seconds(settings.solver.method), others(settings.solver.method));
+    let methods = seconds(first);
     let other = |method: Method, moved_by: f64| {
         let hooks = Hooks { caller: Caller::interrupted_by(interrupts.clone()), ..Hooks::default() };
         let mut settings = of_others.clone();
@@ -70,12 +70,18 @@ pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Re
             Ok((method, second)) => {
                 let moved = moved.ok().filter(|(by, _)| *by == method);
                 let amplification = moved.map(|(_, moved)| amplification(&second, &moved, length_of_move(method)));
-                let second = match takes_the_same_steps((method, &second), (first, &main)) {
-                    true => first_finished(&others, &|method| match other(method, 0.0)? {
-                        run if takes_the_same_steps((method, &run), (first, &main)) => Err("took them, too".to_owned()),
+                let second = if takes_the_same_steps((method, &second), (first, &main)) {
+                    let are_as_many = second.cost.steps == main.cost.steps;
+                    let instead = first_finished(&others(first, are_as_many), &|method| match other(method, 0.0)? {
+                        run if run.cost.steps == main.cost.steps && method.kind() == first.kind() => {
+                            Err("took them, too".to_owned())
+                        }
                         run => Ok(run),
-                    }),
-                    false => Ok((method, second)),
+                    });
+                    // in a decay steps of an implicit method grow as far as they may: hardly more of them may tell the error all the same
+                    if first.info().is_implicit && !are_as_many { instead.or(Ok((method, second))) } else { instead }
+                } else {
+                    Ok((method, second))
                 };
                 match second {
                     Ok((second, run)) => Ok(ErrorEstimate { errors: errors(&main, &run), amplification, second }),
@@ -135,21 +141,27 @@ fn seconds(method: Method) -> Vec<Method> {
 }
 
 /// How a second run is made where the same method takes the same steps, as over a very short time. Their errors may be far below the tolerance: another method
-/// goes near rounding. That of an implicit one is the same with a still smaller tolerance first, since the scene may be stiff.
-fn others(method: Method) -> Vec<Method> {
+/// goes near rounding. For an implicit one, whose scene may be stiff, it is the same with a still smaller tolerance, and explicit ones where the steps are `as_many`
+/// exactly.
+fn others(method: Method, as_many: bool) -> Vec<Method> {
     let Some(tolerance) = method.tolerance() else { return Vec::new() };
     let relative = (TIGHTER * TIGHTER * tolerance.relative).min(LOOSER * ROUNDING);
     let tighter = tolerance.with_relative(relative.max(Tolerance::SMALLEST_RELATIVE));
     // one far below the relative tolerance is not made smaller than rounding
     let absolute = tighter.absolute.max(tolerance.absolute.min(Tolerance::SMALLEST_RELATIVE));
     let tighter = Tolerance { absolute, ..tighter };
-    let all = [MethodKind::Dop853, MethodKind::Taylor, MethodKind::Gauss];
-    let all = all.into_iter().filter(|other| *other != method.kind());
-    let info = method.info();
-    let same = TIGHTER * TIGHTER * tolerance.relative;
-    let same = (info.is_implicit && same >= info.rounding)
-        .then(|| method.kind().with_tolerance(tolerance.with_relative(same)));
-    same.flatten().into_iter().chain(all.filter_map(|other| other.with_tolerance(tighter))).collect()
+    let (info, mut all) = (method.info(), Vec::new());
+    if info.is_implicit {
+        let relative = (TIGHTER * TIGHTER * tolerance.relative).max(info.rounding);
+        let same = method.kind().with_tolerance(tolerance.with_relative(relative));
+        all.extend(same.filter(|_| relative < TIGHTER * tolerance.relative));
+    }
+    if as_many || !info.is_implicit {
+        let explicit = [MethodKind::Dop853, MethodKind::Taylor, MethodKind::Gauss].into_iter();
+        let explicit = explicit.filter(|other| *other != method.kind());
+        all.extend(explicit.filter_map(|other| other.with_tolerance(tighter)));
+    }
+    all
 }
 
 /// What the start of a third run is moved by, of the sizes of its numbers: large beside the errors of that run, small enough for changes
@@ -261,6 +273,23 @@ mod tests {
         let with = Method::default().with_tolerance(Tolerance::new(1e-6, 1e-3));
         let Tolerance { absolute, .. } = seconds(with)[0].tolerance().unwrap();
         assert!((absolute / 1e-5 - 1.0).abs() <= 1e-15, "{absolute:e}");
+    }
+
+    /// An implicit method is asked again before explicit ones, which are not asked at all where steps are only nearly as many.
+    #[test]
+    fn analytic_other_methods_of_a_stiff_scene() {
+        let names = |method, as_many| others(method, as_many).into_iter().map(|m| m.name()).collect::<Vec<_>>();
+        assert_eq!(names(Method::radau(1e-5), false), ["radau"]);
+        assert_eq!(names(Method::radau(1e-5), true), ["radau", "dop853", "taylor", "gauss"]);
+        assert_eq!(names(Method::dop853(1e-5), false), ["taylor", "gauss"]);
+        let relative = |method| others(method, false).first().and_then(|m| m.tolerance()).map(|t| t.relative);
+        assert!((relative(Method::radau(1e-5)).unwrap() / 1e-9 - 1.0).abs() < 1e-14);
+        assert_eq!(
+            relative(Method::radau(1e-8)),
+            Some(Method::radau(1e-8).iteration_floor()),
+            "not below its rounding"
+        );
+        assert_eq!(relative(Method::radau(0.9e-9)), None, "a hundredth is there already");
     }
 
     /// A thousand tolerances, and 1e-9 at least.

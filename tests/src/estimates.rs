@@ -107,15 +107,19 @@ impl Reference {
         let run = question.order(method).estimate_error().run().map_err(|error| error.to_string())?;
         let estimate = run.error_estimate.as_ref().expect("asked for");
         let estimate = estimate.as_ref().map_err(ToString::to_string)?;
-        // what a run says of its rounding: of accelerations, and of its iteration
+        // what a run says of its rounding: of accelerations and multipliers, and of its iteration
         let rounding = run.monitors.condition.as_ref().map_or(0.0, |condition| condition.rounding);
-        let told = if question.counts_rounding { 0.0 } else { rounding.max(method.iteration_floor()) };
-        let least = ROUNDING.max(told);
+        let iterated = ROUNDING.max(method.iteration_floor());
         let mut judged = Vec::new();
         let apart = differences(question.scene, &motion(&run), &self.motion);
         for ((quantity, unit, size, errors), known) in apart.into_iter().zip(&self.known) {
             let theirs = |of: &&QuantityError| of.quantity == quantity && of.unit == unit;
             let QuantityError { at_end, largest, .. } = estimate.errors.iter().find(theirs).expect("an estimate");
+            let least = match quantity {
+                _ if question.counts_rounding => ROUNDING,
+                "multipliers" => rounding.max(iterated),
+                _ => iterated,
+            };
             for (is_at_end, estimate, error) in [(true, *at_end, errors[0]), (false, *largest, errors[1])] {
                 if error > least * (1.0 + size) + 10.0 * known && error > PASSES_ZERO * errors[1] {
                     judged.push(Judged { quantity, unit: unit.clone(), is_at_end, estimate, error });

@@ -5,7 +5,7 @@ use super::moved::MovedValue;
 use super::tolerances::geometry::LARGEST_VALUE;
 use super::tolerances::start::{LARGEST_TURN, LAST_DIGITS, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
 use super::{StartError, State, System, max_abs};
-use crate::model::{CoordinateInfo, Name, Scene as _, SceneRef, Start, body_kind};
+use crate::model::{CoordinateInfo, Name, SceneRef, Start, body_kind};
 use crate::scalar::GOLDEN_RATIO;
 
 /// What a place leaves of the position constraints.
@@ -27,10 +27,7 @@ impl Residual {
 impl<P: SceneRef> System<P> {
     /// The start values of the scene.
     pub fn scene_start(&self) -> Start {
-        let mut start = Start::free_of(&self.info);
-        start.z.extend(self.info.states.iter().map(|state| state.default));
-        self.scene.start(&self.fixed, &mut start);
-        start
+        Start::declared_with(&*self.scene, &self.info, &self.fixed)
     }
 
     /// A state that fulfils all rows: given values stay to the last bit, unless they are only near it

@@ -65,9 +65,7 @@ impl<P: SceneRef> System<P> {
     /// As [`System::new`].
     pub(crate) fn with_parameters(scene: P, parameters: &[f64], backend: Backend) -> Result<Self, SystemError> {
         let info = scene.info();
-        if let Some(fault) = info.repeats.as_ref().and_then(|repeats| repeats.fault.as_ref()) {
-            return Err(fault.clone().into());
-        }
+        info.check_counts()?;
         for (parameter, &value) in info.parameters.iter().zip(parameters) {
             if !value.is_finite() {
                 return Err(SystemError::ParameterNotFinite { name: parameter.name, value });

@@ -2,7 +2,7 @@
 
 use super::body_kind::BodyKind;
 use super::event::{EventInfo, StickSlipInfo, StopInfo};
-use super::repeats::{CountInfo, Repeats};
+use super::repeats::{CountInfo, LayoutFault, Repeats};
 use super::series::SeriesInfo;
 use super::{
     Abbreviation, CoordinateInfo, EffectInfo, EliminationStep, Equation, Formula, InputInfo, List, Name, Operations,
@@ -201,6 +201,19 @@ impl SceneInfo {
     /// Length of `c`: inputs, then first-order states, then constants.
     pub const fn n_fixed(&self) -> usize {
         self.inputs.len() + self.states.len() + self.n_constants
+    }
+
+    /// Model, scene, and hash of the model file: alike where equations are, whatever parameters and counts.
+    pub fn identity(&self) -> (&'static str, &'static str, u64) {
+        (self.model, self.name, self.fingerprint)
+    }
+
+    /// That its counts can be used.
+    ///
+    /// # Errors
+    /// [`LayoutFault`] when there is no room for so many bodies, or an index leaves its array.
+    pub(crate) fn check_counts(&self) -> Result<(), LayoutFault> {
+        self.repeats.as_ref().and_then(|repeats| repeats.fault.clone()).map_or(Ok(()), Err)
     }
 
     /// `c` with inputs and first-order states as declared; [`Equations::constants`](super::Equations::constants) writes what is behind them.

@@ -44,15 +44,18 @@ impl Start {
     /// [`LayoutFault`] when the counts of the scene cannot be used.
     pub fn declared<S: Scene + ?Sized>(scene: &S) -> Result<Self, LayoutFault> {
         let info = scene.info();
-        if let Some(fault) = info.repeats.as_ref().and_then(|repeats| repeats.fault.as_ref()) {
-            return Err(fault.clone());
-        }
-        let mut start = Self::free_of(&info);
-        start.z.extend(info.states.iter().map(|state| state.default));
+        info.check_counts()?;
         let mut c = info.declared_values();
         scene.constants(&scene.parameters(), &mut c);
-        scene.start(&c, &mut start);
-        Ok(start)
+        Ok(Self::declared_with(scene, &info, &c))
+    }
+
+    /// The same with constants, and inputs, that are there already.
+    pub(crate) fn declared_with<S: Scene + ?Sized>(scene: &S, info: &SceneInfo, c: &[f64]) -> Self {
+        let mut start = Self::free_of(info);
+        start.z.extend(info.states.iter().map(|state| state.default));
+        scene.start(c, &mut start);
+        start
     }
 
     /// Nothing given, everything zero, for so many coordinates and velocities.

@@ -33,10 +33,14 @@ pub use outcome::{Cost, Outcome, Run, StopReason};
 pub use several::eight_steppers::{EightSteppers, NotTogether};
 pub use several::ensemble::Ensemble;
 pub use several::sensitivity::{Sensitivities, Tangent};
+#[doc(hidden)]
 pub use several::together::{Alone, EndOfRun, WaitingRun, run_together};
 pub use simulation::Simulation;
 pub use stepper::Stepper;
 pub use stepping::singularity_crossing::SingularityCrossed;
+
+/// The version of this crate.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The level at which this crate was optimised, from `0` to `3`: that of its profile, which a debug build may raise.
 pub const OPT_LEVEL: &str = env!("EZY_OPT_LEVEL");

@@ -96,7 +96,7 @@ impl WorkPrecision {
              Then runs that keep only their two ends are timed: at least seven, fewer where one takes longer than a tenth of a second. \
              Other projections than the default one take every second setting. EZY {}, {}. Times are processor times of one thread{}. The measurement took {:.1} s of {} s.",
             self.reference.trajectory.times().len() - 1,
-            env!("CARGO_PKG_VERSION"),
+            ezy_core::simulate::VERSION,
             self.machine,
             self.processor_share.map_or(", as far as the system tells them apart from wall times", |_| ""),
             self.seconds,

@@ -14,7 +14,7 @@ use super::trajectories::Trajectories;
 use super::workers::in_order;
 use ezy_core::model::{N_LANES, Scene, SceneInfo};
 use ezy_core::record::{self, UnknownName, find_name};
-use ezy_core::simulate::{Run, run_together};
+use ezy_core::simulate::{Run, VERSION, run_together};
 use serde_json::{Map, json};
 use std::convert::Infallible;
 use std::io;
@@ -494,7 +494,7 @@ impl<'a> Sweep<'a> {
 
     fn manifest(&self, n: u64, n_per_part: u64, columns: &[Column]) -> Manifest {
         let mut of = Manifest(Map::new());
-        of.set("ezy", env!("CARGO_PKG_VERSION"));
+        of.set("ezy", VERSION);
         of.set("model", self.info.model);
         of.set("model hash", format!("{:016x}", self.info.fingerprint));
         of.set("scene", self.info.name);

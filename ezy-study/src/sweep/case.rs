@@ -108,7 +108,7 @@ impl<'a> Case<'a> {
         let scene = simulation.scene().clone();
         if let Some((info, left)) = self.left {
             let of = scene.info();
-            let is_same = (of.model, of.name, of.fingerprint) == (info.model, info.name, info.fingerprint);
+            let is_same = of.identity() == info.identity();
             *left.borrow_mut() = if is_same { waiting(&simulation) } else { Err("it is of another scene") };
             if left.borrow().is_ok() {
                 return Ok(Finished::under_way());

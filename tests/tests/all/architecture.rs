@@ -67,6 +67,7 @@ pub fn root() -> PathBuf {
 /// `crates`: those whose layers have the names that are listed, by the words that begin their paths.
 fn check(source: &str, crates: &[&str], layers: &[(&str, &[&str])]) {
     let texts = modules(source);
+    let is_layer = |name: &str| [CORE, layers].iter().any(|layers| layers.iter().any(|(layer, _)| *layer == name));
     for (layer, allowed) in layers {
         let of_layer = || texts.iter().filter(|(module, _)| module.first().is_some_and(|first| first == layer));
         assert!(of_layer().next().is_some(), "{source}/{layer} is gone");
@@ -75,8 +76,11 @@ fn check(source: &str, crates: &[&str], layers: &[(&str, &[&str])]) {
             let paths = circles::paths(text);
             let of_crates = paths.iter().filter(|path| path.len() > 1 && crates.contains(&path[0].as_str()));
             for import in of_crates.map(|path| path[1].as_str()) {
-                let is_layer = [CORE, layers].concat().iter().any(|(layer, _)| *layer == import);
-                assert!(!is_layer || allowed.contains(&import), "{source}/{} imports `{import}`", module.join("/"));
+                assert!(
+                    !is_layer(import) || allowed.contains(&import),
+                    "{source}/{} imports `{import}`",
+                    module.join("/")
+                );
             }
         }
     }

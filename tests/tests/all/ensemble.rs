@@ -1,7 +1,7 @@
 //! Runs that step together in lanes, against the same runs one by one.
 
 use ezy_core::prelude::*;
-use ezy_core::simulate::SetupError;
+use ezy_core::simulate::{SetupError, run_together};
 use ezy_core_tests::{simulation, system_of};
 use ezy_models::{chain, ezy_roller};
 
@@ -11,6 +11,18 @@ const ROUNDING: f64 = 2e-12;
 const TOLERANCE: f64 = 1e-7;
 
 type Roller = ezy_roller::Driven;
+
+/// Eight lanes hold eight runs of one scene.
+#[test]
+fn invariant_more_than_eight_runs_or_others_do_not_step_together() {
+    let (driven, coast) = (Roller::default(), ezy_roller::Coast::default());
+    let waiting = |scene| simulation(scene).method(Method::dop853(1e-6)).until(0.1).waiting_dyn().unwrap();
+    let runs = vec![waiting(&driven); 9];
+    assert_eq!(run_together(&driven, &runs[..8], &[]).unwrap().len(), 8);
+    assert!(run_together(&driven, &runs, &[]).is_err());
+    assert!(run_together(&driven, &[waiting(&driven), waiting(&coast)], &[]).is_err());
+    assert!(run_together(&coast, &runs[..1], &[]).is_err());
+}
 
 /// Rollers of eight torques.
 fn rollers() -> [Roller; 8] {

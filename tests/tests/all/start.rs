@@ -7,12 +7,25 @@ use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_core_tests::{simulation, system_of};
 use ezy_models::mechanisms::{chain::chain, slider_crank::slider_crank};
+use ezy_models::registry::MODELS;
 use ezy_tests::shapes::{circling, four_bar, tethered};
 
 /// What the assembly promises.
 const RESIDUAL: f64 = 1e-12;
 /// Rounding of a mass-weighted product of velocities of order one.
 const ORTHOGONAL: f64 = 1e-12;
+
+/// What a scene declares is what its system begins with, for every scene.
+#[test]
+fn cross_declared_starts_are_those_of_systems() {
+    let entries: Vec<_> = MODELS.iter().flat_map(|model| model.scenes).collect();
+    assert!(entries.len() > 40, "{}", entries.len());
+    for entry in entries {
+        let scene = (entry.new)();
+        let system = system_of(&*scene, Backend::Auto).unwrap();
+        assert_eq!(Start::declared(&*scene).unwrap(), system.scene_start(), "{}", entry.name);
+    }
+}
 
 #[test]
 fn invariant_start_holds_given_values_to_the_bit() {

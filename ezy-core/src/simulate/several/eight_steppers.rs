@@ -70,7 +70,7 @@ impl<P: SceneRef> EightSteppers<P> {
         let is_alike = |stepper: &&mut Stepper<'_, P>| {
             let (other, solver) = (stepper.info(), &stepper.solver);
             let is_usual = (solver.projection, solver.metric) == (Projection::default(), Metric::default());
-            let is_same = (other.model, other.name, other.fingerprint) == (info.model, info.name, info.fingerprint);
+            let is_same = other.identity() == info.identity();
             let is_rk4 = solver.method.kind() == MethodKind::Rk4 && stepper.step_s == first.step_s;
             is_same && is_usual && is_rk4 && !stepper.stepper.work && stepper.stepper.system.uses_elimination()
         };

@@ -4,7 +4,7 @@ use super::trajectory::Trajectory;
 use crate::dynamics::{InLanes, Metric, Projection, Rows, State, System, SystemOf};
 use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::linalg::Backend;
-use crate::model::{Derived as _, Eight, EventKind, Scene, SceneRef};
+use crate::model::{Derived as _, Eight, EventKind, N_LANES, Scene, SceneRef};
 use crate::record::Wanted;
 use crate::scalar::packed;
 use crate::simulate::recording::sampler::Sampler;
@@ -19,6 +19,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// A run that waits for others to step with.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WaitingRun {
+    /// Of its scene.
+    identity: (&'static str, &'static str, u64),
     parameters: Vec<f64>,
     inputs: Vec<f64>,
     start: State,
@@ -93,7 +95,11 @@ impl<P: SceneRef> Simulation<'_, P> {
         let until_s = settings.until_s;
         let can_end = until_s.is_finite() && until_s >= start.t;
         let (parameters, inputs) = (self.scene.parameters(), system.inputs().to_vec());
-        if can_end { Ok(WaitingRun { parameters, inputs, start, until_s, tolerance }) } else { Err(CANNOT_START) }
+        if can_end {
+            Ok(WaitingRun { identity: info.identity(), parameters, inputs, start, until_s, tolerance })
+        } else {
+            Err(CANNOT_START)
+        }
     }
 }
 
@@ -117,6 +123,9 @@ pub fn run_together(
         return Err("the eight have different times or tolerances");
     }
     let info = scene.info();
+    if runs.len() > N_LANES || runs.iter().any(|run| run.identity != info.identity()) {
+        return Err("they are more than eight, or of different scenes");
+    }
     scene.in_lanes().ok_or(WITHOUT_ELIMINATION)?;
     let mut systems = Vec::with_capacity(runs.len());
     for run in runs {

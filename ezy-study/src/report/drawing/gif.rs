@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use gif::{DisposalMethod, Encoder, Frame, Repeat};
+use tiny_skia::PremultipliedColorU8;
 
 use super::film::Film;
 use super::pixels::{BODY_OPACITY, HUES, INK, PAPER, RUBBER, Rgb};
@@ -32,8 +33,7 @@ impl Film<'_> {
         let until = |frame: usize| (100.0 * seconds * frame as f64 / self.frames.len() as f64).round() as u16;
         for frame in 0..self.frames.len() {
             let pixels = self.pixels(frame, width)?;
-            let now: Vec<u8> =
-                pixels.data().chunks_exact(4).map(|rgba| indices.of([rgba[0], rgba[1], rgba[2]])).collect();
+            let now = indices.of_all(pixels.pixels());
             let mut frame_of_file = difference(&last, &now, columns, rows);
             frame_of_file.delay = (until(frame + 1) - until(frame)).max(SHORTEST);
             encoder.write_frame(&frame_of_file).ok()?;
@@ -48,7 +48,10 @@ impl Film<'_> {
 fn difference(last: &[u8], now: &[u8], columns: u16, rows: u16) -> Frame<'static> {
     let n = usize::from(columns);
     let changed = |i: usize| last.get(i) != Some(&now[i]);
-    let places = (0..now.len()).filter(|&i| changed(i)).map(|i| (i % n, i / n));
+    // most rows are as they were, and are compared as a whole
+    let places = (0..now.len()).step_by(n).map(|first| first..first + n);
+    let places = places.filter(|row| last.get(row.clone()) != now.get(row.clone()));
+    let places = places.flatten().filter(|&i| changed(i)).map(|i| (i % n, i / n));
     let (mut left, mut right, mut top, mut bottom) = (n - 1, 0, usize::from(rows) - 1, 0);
     for (x, y) in places {
         (left, right, top, bottom) = (left.min(x), right.max(x), top.min(y), bottom.max(y));
@@ -91,6 +94,16 @@ struct Indices {
 }
 
 impl Indices {
+    /// Of opaque pixels; those of a run of one colour are looked up once.
+    fn of_all(&mut self, pixels: &[PremultipliedColorU8]) -> Vec<u8> {
+        let mut indices = Vec::with_capacity(pixels.len());
+        for run in pixels.chunk_by(PartialEq::eq) {
+            let index = self.of([run[0].red(), run[0].green(), run[0].blue()]);
+            indices.resize(indices.len() + run.len(), index);
+        }
+        indices
+    }
+
     fn of(&mut self, color: Rgb) -> u8 {
         let Self { colors, known } = self;
         *known.entry(color).or_insert_with(|| {

@@ -469,7 +469,7 @@ fn invariant_estimated_error_is_told_everywhere_alike() {
     let run = ["run", "ezyroller/driven", "--until", "2", "--method", "dop853", "--rtol", "1e-6", "--estimate-error"];
     let end = json(&[&run[..], &["--json", "--every", "0.01", "--out", &file]].concat());
     let told = &end["error_estimate"];
-    assert_eq!(told["second"], serde_json::json!({ "method": "dop853", "setting": "--rtol 1e-8" }));
+    assert_eq!(told["second"], serde_json::json!({ "method": "dop853", "setting": "--rtol 1e-9" }));
     let errors = told["errors"].as_array().expect("a list");
     let units: Vec<&str> = errors.iter().map(|error| error["unit"].as_str().expect("a unit")).collect();
     assert_eq!(units, ["m", "rad", "m/s", "rad/s", "N"]);
@@ -493,7 +493,7 @@ fn invariant_estimated_error_is_told_everywhere_alike() {
     let text = output(&run);
     let table = text.split("estimated error").nth(1).expect("a table");
     assert!(
-        table.contains("positions") && table.contains("from a second run with --method dop853 --rtol 1e-8"),
+        table.contains("positions") && table.contains("from a second run with --method dop853 --rtol 1e-9"),
         "{table}"
     );
 }

@@ -8,6 +8,7 @@ use ezy_models::{
     chain, double_pendulum, ezy_roller, pendulum, single_track_car, skateboard, tractor_trailers, wheeled_snake,
 };
 use ezy_tests::estimates::{Question, Reference};
+use ezy_tests::shapes::tethered;
 use std::sync::atomic::AtomicBool;
 
 model! {
@@ -65,7 +66,7 @@ fn cross_estimates_are_within_a_factor_of_five_of_the_error() {
     }
 }
 
-/// Over a few steps a hundredth of the tolerance may be reached by the same steps: another method then tells the error, which is not 0.
+/// Over a few steps a thousandth of the tolerance may be reached by the same steps: another method then tells the error, which is not 0.
 #[test]
 fn cross_estimates_of_runs_of_a_few_steps_are_not_zero() {
     let scene = pendulum::Quarter::default();
@@ -95,7 +96,7 @@ fn cross_estimates_of_runs_of_a_few_steps_are_not_zero() {
     assert!(n_same >= 2, "{n_same} runs of the same steps");
 }
 
-/// First steps hardly depend on a tolerance: of three steps and of four, with a hundredth of it, the first two are as long, and with them the error.
+/// First steps hardly depend on a tolerance: of three steps and of four, with a smaller one, the first two are as long, and with them the error.
 #[test]
 fn cross_estimates_of_runs_with_steps_as_long_are_not_too_small() {
     let scene = chain::Swing { n: 6, m: 2.0921071681612773, g: 13.718224817986986, ..Default::default() };
@@ -126,6 +127,40 @@ fn cross_estimates_of_implicit_runs_with_steps_as_long_are_not_too_small() {
     assert_eq!(estimate(&run).second.name(), "radau");
 }
 
+/// At the end the errors of four steps and of six happen to be alike, a fifth of those before it.
+#[test]
+fn cross_estimates_where_errors_of_both_runs_are_alike_are_not_too_small() {
+    let scene = tethered::Circle::default();
+    assert_told(&scene, &[], 0.7154224131259377, Method::radau(1.4651924156278827e-5));
+}
+
+/// A tyre lets the car go within a tenth of the first step, and only that step is limited by the tolerance.
+#[test]
+fn cross_estimates_of_two_steps_and_of_three_are_not_too_small() {
+    let scene = single_track_car::Thrust {
+        lf: 2.7070001378859314,
+        j: 1.0234048411112165e3,
+        delta: 5.713134673226763e-6,
+        cr: 1.926394943456055e8,
+        ff: 5.939783534096464e3,
+        f: 4.054906776036846e1,
+        drag: 0.5,
+        ..Default::default()
+    };
+    let given = [("car.x".into(), 1.0)];
+    assert_told(&scene, &given, 0.0037895416133374034, Method::radau(7.209913076572496e-6));
+}
+
+/// A run that is off by a fiftieth of what its tolerance lets expect, and at the end by as much as one with a hundredth of its tolerance.
+#[test]
+fn cross_estimates_of_a_first_run_that_is_lucky_are_not_too_small() {
+    let scene =
+        double_pendulum::Swing { l1: 1.7412131166858185, m1: 1.1303772172565618, g: 9.81, ..Default::default() };
+    let given = [("lower.y", 6.882252518062537e-1), ("lower.vy", -5.586849728085332e-1)];
+    let given = given.map(|(name, value)| (name.into(), value));
+    assert_told(&scene, &given, 5.147493568147084, Method::dop853(1.6756387502785654e-8));
+}
+
 model! {
     /// A speed that dies out within a microsecond, on a body that goes on.
     pub model Decay {
@@ -152,11 +187,11 @@ fn assert_told(scene: &dyn Scene, given: &[(Name, f64)], until_s: f64, method: M
     let question = Question { scene, given, until_s, most_steps: 1_000, counts_rounding: false };
     let reference = Reference::of(&question).expect("a reference");
     let (judged, _) = reference.judge(&question, method).expect("a run");
-    assert!(judged.len() >= 4, "{judged:?}");
+    assert!(judged.len() >= 2, "{judged:?}");
     assert!(judged.iter().all(|judged| judged.ratio() >= 1.0 / FACTOR), "{judged:?}");
 }
 
-/// A hundredth of the tolerance takes DOP853 1.8 times the steps: it tells the error by itself.
+/// A thousandth of the tolerance takes DOP853 2.4 times the steps: it tells the error by itself.
 #[test]
 fn invariant_estimate_of_a_run_of_many_steps_is_by_its_own_method() {
     let scene = ezy_roller::Driven::default();
@@ -186,7 +221,8 @@ fn analytic_estimate_of_fixed_steps_sees_what_they_sample_too_seldom() {
     let error = (run.last().coordinates[0] - exact).abs();
     assert!(error > 0.4, "{error}");
     let told = estimate(&run).errors.iter().find(|told| told.quantity == "positions" && told.unit == "m").unwrap();
-    assert!((told.at_end / error - 1.0).abs() <= 1e-9, "{} for {error}", told.at_end);
+    // and what the second run may be off by, a thousandth
+    assert!((told.at_end / error - 1.001).abs() <= 1e-9, "{} for {error}", told.at_end);
 }
 
 /// The user's bound on steps is one of the runs beside, too: with ten thousand steps of a tolerance that needs more, there is no estimate.
@@ -196,7 +232,7 @@ fn invariant_bound_on_steps_holds_for_the_runs_beside() {
     let run = |most| simulation(&scene).method(Method::dop853(1e-6)).max_steps(most).estimate_error().run().unwrap();
     let enough = run(10_000);
     assert!(enough.error_estimate.as_ref().unwrap().is_ok());
-    // as many as the run itself takes: a hundredth of the tolerance takes more
+    // as many as the run itself takes: a thousandth of the tolerance takes more
     let scarce = run(enough.cost.steps + enough.cost.rejected);
     assert!(scarce.outcome.reached_end());
     let second = &scarce.error_estimate.as_ref().unwrap().as_ref().map(|estimate| estimate.second.tolerance());

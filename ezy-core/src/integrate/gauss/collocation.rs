@@ -43,7 +43,7 @@ impl Family for Collocation {
         takes_any_body: false,
         takes_states: false,
         // its errors lie up to five orders below the tolerance where that is large
-        tighter: TIGHTER * TIGHTER * TIGHTER,
+        tighter: TIGHTER * TIGHTER,
         // a smaller tolerance may end with the same sweeps, and so with the same error: another method shows it
         rounding: f64::INFINITY,
     };

@@ -5,8 +5,8 @@
 use crate::memory;
 use crate::model::coordinate::place as place_of;
 use crate::model::{
-    BodyKind, Component, CoordinateInfo, LARGEST_N_MEMBERS, LayoutFault, List, Name, OutputInfo, PointInfo, Repeats,
-    RowInfo, SceneInfo, SparsityPattern, TemplateInfo,
+    BodyKind, Component, CoordinateInfo, LARGEST_COUNT, LARGEST_N_MEMBERS, LayoutFault, List, Name, OutputInfo,
+    PointInfo, Repeats, RowInfo, SceneInfo, SparsityPattern, TemplateInfo,
 };
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -40,8 +40,8 @@ impl Known {
         }
         let empty = counts.iter().zip(fixed.counts()).find(|(count, _)| **count == 0);
         let empty = empty.map(|(_, count)| LayoutFault::NoMembers { name: count.name });
-        let large = counts.iter().find(|count| **count > LARGEST_COUNT);
-        let large = large.map(|&n_members| LayoutFault::TooManyMembers { n_members });
+        let large = counts.iter().zip(fixed.counts()).find(|(count, _)| **count > LARGEST_COUNT);
+        let large = large.map(|(&count, of)| LayoutFault::LargeCount { name: of.name, count });
         // what cannot be set up is found before anything is
         let mut counted = Layout { counts_only: true, fault: empty.or(large), ..Layout::default() };
         if counted.fault.is_none() {
@@ -65,9 +65,6 @@ impl Known {
         info
     }
 }
-
-/// Counts beyond which products of them could overflow; such arrays are too large anyway.
-const LARGEST_COUNT: usize = 1_000_000;
 
 /// Bytes that a body or a member of a `for` needs in a run: half of it is its description, the rest is the state, rows and
 /// factors. Measured in chains of 10,000 and 100,000 rods and nets of 10,000 knots: 900 to 1,200.

@@ -7,8 +7,9 @@ mod swing;
 mod transfer;
 
 use super::{AnalysisError, Course, Instability, Linearization, Locus, Monodromy, Rests, Spectrum, SteadyMotion};
-use crate::dynamics::{State, System};
+use crate::dynamics::State;
 use crate::linalg::Backend;
+use crate::testing::system_of;
 use nalgebra::DMatrix;
 
 crate::model! {
@@ -37,7 +38,7 @@ fn analytic_rod_hangs_and_stands() {
     let (delta, omega2) = (c / (2.0 * inertia), m * g * l / inertia);
     let scenes: [(&dyn crate::model::Scene, f64); 2] = [(&rod::Hangs::default(), -1.0), (&rod::Stands::default(), 1.0)];
     for (scene, side) in scenes {
-        let mut system = System::new(scene, Backend::Auto).unwrap();
+        let mut system = system_of(scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
         assert!((rest.state.q[2] - side * std::f64::consts::FRAC_PI_2).abs() <= 1e-13, "{rest:?}");
@@ -61,7 +62,7 @@ fn analytic_rod_hangs_and_stands() {
 #[test]
 fn analytic_rod_without_friction_is_neutral() {
     let scene = rod::Hangs { c: 0.0, ..rod::Hangs::default() };
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
     let spectrum = Linearization::of(&mut system, &rest).unwrap().spectrum().unwrap();
@@ -88,14 +89,14 @@ crate::model! {
 fn invariant_motion_that_is_not_steady_names_what_is_left() {
     let scenes: [&dyn crate::model::Scene; 2] = [&pulled::Rests::default(), &pulled::Runs::default()];
     for scene in scenes {
-        let mut system = System::new(scene, Backend::Auto).unwrap();
+        let mut system = system_of(scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let error = SteadyMotion::near(&mut system, &start, &[]).unwrap_err();
         let AnalysisError::NotFound { what, left, unit, .. } = &error else { panic!("{error}") };
         assert!(what == "block.x" && (left - 3.0).abs() <= 1e-9 && *unit == "N", "{error}");
     }
     let scene = pulled::Rests { f: 0.0 };
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     assert_eq!(SteadyMotion::near(&mut system, &start, &[]).unwrap().free, ["block.x"]);
     let error = SteadyMotion::near(&mut system, &start, &["block.vx"]).unwrap_err();
@@ -122,7 +123,7 @@ crate::model! {
 #[test]
 fn analytic_input_by_acceleration_is_no_input_of_the_linear_equations() {
     let scene = placed::Rests::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
     let linear = Linearization::of(&mut system, &rest).unwrap();
@@ -147,7 +148,7 @@ crate::model! {
 #[test]
 fn invariant_motion_that_turns_with_the_ground_is_not_steady() {
     let free = turning::Turns::default();
-    let mut system = System::new(&free, Backend::Auto).unwrap();
+    let mut system = system_of(&free, Backend::Auto).unwrap();
     let start = system.scene_start();
     let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap();
     assert!((motion.frame.omega - 2.0).abs() <= 1e-14 && motion.free.len() == 2, "{motion:?}");
@@ -155,7 +156,7 @@ fn invariant_motion_that_turns_with_the_ground_is_not_steady() {
     assert_eq!((spectrum.n_zero, spectrum.zero_blocks), (2, vec![2]));
     // at this instant the spring points to the pin, and everything balances
     let scene = turning::Turns { k: 10.0 };
-    let mut pulled = System::new(&scene, Backend::Auto).unwrap();
+    let mut pulled = system_of(&scene, Backend::Auto).unwrap();
     let motion = SteadyMotion::near(&mut pulled, &start, &["disk.phi", "disk.omega"]).unwrap();
     let error = Linearization::of(&mut pulled, &motion).unwrap_err();
     assert!(matches!(error, AnalysisError::NotSteady { .. }), "{error}");
@@ -180,7 +181,7 @@ fn analytic_wound_spring_is_another_rest() {
     let pi = std::f64::consts::PI;
     for (k, expected) in [(0.5, &[-pi, 0.0, pi][..]), (0.0, &[0.0, pi])] {
         let scene = wound::Rests { k };
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let rests = Rests::of(&mut system, &start, &[], 40).unwrap();
         let angles: Vec<f64> = rests.found.iter().map(|rest| rest.motion.state.q[2]).collect();
@@ -197,7 +198,7 @@ fn analytic_wound_spring_is_another_rest() {
 #[test]
 fn invariant_rests_that_are_free_are_one() {
     let scene = pulled::Rests { f: 0.0 };
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let mut start = system.scene_start();
     start.give_position(0, 0.7);
     for hold in [&[][..], &["block.x"]] {
@@ -214,7 +215,7 @@ fn analytic_straight_motion_has_a_speed_and_a_circle_a_radius() {
     let [still, straight, turning]: [&dyn crate::model::Scene; 3] =
         [&pulled::Rests { f: 0.0 }, &pulled::Runs { f: 0.0 }, &turning::Turns::default()];
     let course = |scene| {
-        let mut system = System::new(scene, Backend::Auto).unwrap();
+        let mut system = system_of(scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         SteadyMotion::near(&mut system, &start, &[]).unwrap().course()
     };
@@ -250,7 +251,7 @@ fn invariant_modes_are_eigenvectors() {
     /// Of the norm of A: rounding of a solve.
     const RESIDUAL: f64 = 1e-14;
     let scene = rod::Hangs::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
     let rod = Linearization::of(&mut system, &rest).unwrap();
@@ -367,7 +368,7 @@ fn analytic_multipliers_of_a_swung_spring() {
         y
     };
     let trace = along([1.0, 0.0])[0] + along([0.0, 1.0])[1];
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let still = system.consistent_start(&system.scene_start()).unwrap();
     for n_states in [0, 1, 2, 4, 6] {
         let error = Monodromy::of(&mut system, &vec![still.clone(); n_states]).unwrap_err();

@@ -75,6 +75,8 @@ impl ActiveSet {
 mod tests {
     use crate::dynamics::{Metric, Projection, System};
     use crate::linalg::{Backend, INDEPENDENT, Independent};
+    use crate::model::Scene;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A bead on a rail, and a stop across it.
@@ -90,7 +92,7 @@ mod tests {
     }
 
     /// The rank, the redundant rows, the acceleration along the rail and the multiplier of the stop.
-    fn seen(system: &mut System<&bead::Slides>, q: &[f64], v: &[f64]) -> (usize, usize, f64, f64) {
+    fn seen(system: &mut System<&dyn Scene>, q: &[f64], v: &[f64]) -> (usize, usize, f64, f64) {
         let found =
             system.at(0.0, q).rank(Independent::Above(INDEPENDENT)).map(|found| (found.rank(), found.n_redundant()));
         let (rank, redundant) = found.unwrap();
@@ -105,7 +107,7 @@ mod tests {
     fn analytic_switched_row_holds_its_side() {
         let scene = bead::Slides::default();
         for backend in [Backend::Auto, Backend::Dense] {
-            let mut system = System::new(&scene, backend).unwrap();
+            let mut system = system_of(&scene, backend).unwrap();
             let (mut q, mut v) = ([0.5, 0.0, 0.0], [1.0, 0.0, 0.0]);
             let (rank, redundant, a, lambda) = seen(&mut system, &q, &v);
             assert_eq!((rank, redundant, lambda), (1, 0, 0.0));
@@ -129,7 +131,7 @@ mod tests {
     #[test]
     fn invariant_a_row_that_is_off_has_its_size() {
         let scene = bead::Slides::default();
-        let system = System::new(&scene, Backend::Auto).unwrap();
+        let system = system_of(&scene, Backend::Auto).unwrap();
         let stop = system.info().stop.unwrap().row;
         assert_eq!(system.geometry.sizes[stop], system.geometry.length);
     }

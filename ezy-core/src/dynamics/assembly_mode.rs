@@ -182,15 +182,15 @@ impl<'a> Partition<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::System;
     use crate::dynamics::tests::linkage;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     /// Near values come first, angles before lengths, those that moved least before others; then what is not given, places before angles.
     #[test]
     fn invariant_drivers_are_chosen_among_near_values_that_moved_least() {
         let scene = linkage::Turns::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let mut start = Start::free(9);
         for i in [2, 3, 5, 7, 8] {
             (start.q_given[i], start.q_near[i]) = (true, i != 2);

@@ -290,15 +290,16 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
 
 #[cfg(all(test, feature = "sparse"))]
 mod tests {
-    use super::{Rows, System};
+    use super::Rows;
     use crate::dynamics::tests::row;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     /// The pivot of a start comes from the sparse factors that the first step takes, and no matrix is taken apart as a full one.
     #[test]
     fn invariant_pivot_of_a_start_is_that_of_the_factors() {
         let scene = row::Swings::default();
-        let mut system = System::new(&scene, Backend::Sparse).unwrap();
+        let mut system = system_of(&scene, Backend::Sparse).unwrap();
         let q = system.scene_start().q;
         let pivot = system.at_with(0.0, &q, Rows::Held).pivot_at_hand();
         assert_eq!(pivot, system.at_with(0.0, &q, Rows::Projected).factored_pivot());

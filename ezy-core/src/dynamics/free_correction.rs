@@ -151,8 +151,8 @@ fn root_weights(mass: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use crate::dynamics::System;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A stone that nothing holds.
@@ -166,7 +166,7 @@ mod tests {
     #[test]
     fn analytic_nothing_follows_where_there_are_no_rows() {
         let scene = stone::Falls::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         assert_eq!(system.assembly().free_tangent(0.0, &[0.0, 5.0, 0.0], &[], &[true, true, false]), [0.0; 3]);
     }
 }

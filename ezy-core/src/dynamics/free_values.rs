@@ -45,9 +45,9 @@ impl<P: SceneRef> Assembly<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::System;
     use crate::linalg::Backend;
     use crate::model::Scene;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A trolley on a rail with a rod that hangs from it, and a stone that nobody placed.
@@ -65,7 +65,7 @@ mod tests {
     }
 
     fn free(scene: &dyn Scene) -> Vec<Name> {
-        let mut system = System::new(scene, Backend::Auto).unwrap();
+        let mut system = system_of(scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let state = system.consistent_start(&start).unwrap();
         system.assembly().free_values(&start, &state)

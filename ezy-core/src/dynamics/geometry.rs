@@ -135,8 +135,8 @@ fn largest(x: impl Iterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::System;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A rod on a hinge 0.75 m from its centre, a wheel on it, and a block that nothing holds.
@@ -170,13 +170,13 @@ mod tests {
     #[test]
     fn analytic_lengths_are_levers_of_the_rows() {
         let scene = lever::Swings::default();
-        let geometry = System::new(&scene, Backend::Auto).unwrap().geometry;
+        let geometry = system_of(&scene, Backend::Auto).unwrap().geometry;
         close(geometry.length, 3.0);
         assert_eq!(geometry.units, [1.0, 1.0, 3.0, 1.0, 1.0, 3.0]);
         // a row changes by 3 m where a body moves by that; a turn changes the hinge by 0.75 m
         assert_eq!(geometry.sizes, [3.0; 3]);
         let short = lever::Swings { ratio: 0.25 };
-        let geometry = System::new(&short, Backend::Auto).unwrap().geometry;
+        let geometry = system_of(&short, Backend::Auto).unwrap().geometry;
         close(geometry.length, 0.75);
         assert_eq!((geometry.units[2], geometry.units[5]), (0.75, 0.75));
         assert_eq!(geometry.sizes, [0.75; 3]);

@@ -402,6 +402,7 @@ mod tests {
     use super::*;
     use crate::dynamics::tests::linkage;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A rod about a fixed point, and a stone far away that nothing holds.
@@ -442,7 +443,7 @@ mod tests {
     fn analytic_row_that_comes_too_slowly_is_refused_beside_a_long_lever() {
         for far in [1.0, 1e20, -2e50] {
             let scene = cube_and_sled::Waits { far };
-            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let mut system = system_of(&scene, Backend::Auto).unwrap();
             let mut q = [0.2, 0.0, 0.0, 0.0, 0.0, 1.0];
             let stalled = system.project_positions(0.0, &mut q, Metric::Mass).unwrap_err();
             let MotionError::ProjectionStalled { residual, tolerance, .. } = stalled else {
@@ -474,7 +475,7 @@ mod tests {
     fn invariant_rounding_of_one_row_excuses_no_other() {
         for far in [1.0, 1e20] {
             let scene = cube_and_arm::Waits { far };
-            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let mut system = system_of(&scene, Backend::Auto).unwrap();
             let mut q = [0.2, 0.0, 0.0, 0.0, 0.0, std::f64::consts::TAU];
             let stalled = system.project_positions(0.0, &mut q, Metric::Mass).unwrap_err();
             assert!(
@@ -489,7 +490,7 @@ mod tests {
     fn analytic_independent_row_that_comes_too_slowly_is_refused() {
         let scene = cube::Waits::default();
         for metric in [Metric::Mass, Metric::Euclidean] {
-            let mut system = System::new(&scene, Backend::Dense).unwrap();
+            let mut system = system_of(&scene, Backend::Dense).unwrap();
             let mut q = [0.02, 0.0, 0.0];
             let stalled = system.project_positions(0.0, &mut q, metric).unwrap_err();
             let MotionError::ProjectionStalled { residual, passes, .. } = stalled else { panic!("{stalled:?}") };
@@ -503,7 +504,7 @@ mod tests {
     #[test]
     fn order_a_pass_squares_the_error_of_positions() {
         let scene = linkage::Turns::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let q = system.consistent_start(&start).unwrap().q;
         for error in [1e-3, 1e-6] {
@@ -528,7 +529,7 @@ mod tests {
     #[test]
     fn invariant_rounding_of_a_place_that_is_far_away_takes_no_pass() {
         let scene = short_rod::Hangs::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         for i in 0..100 {
             let phi = 0.1 * f64::from(i);
             let there = [1.0 + 5e-5 * phi.cos(), 5e-5 * phi.sin(), phi];
@@ -547,7 +548,7 @@ mod tests {
         let scene = rod_and_stone::Rests::default();
         for error in [0.1, 0.2, 0.3, 0.5, 0.7, 1.0] {
             let residuals = [0.0, 1e8].map(|x| {
-                let mut system = System::new(&scene, Backend::Auto).unwrap();
+                let mut system = system_of(&scene, Backend::Auto).unwrap();
                 let mut q = [0.5, 0.0, error, x, 0.0, 0.0];
                 let passes = system.project_positions(0.0, &mut q, Metric::Mass).unwrap();
                 (system.position_residual(0.0, &q), passes)

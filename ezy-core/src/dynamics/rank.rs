@@ -159,6 +159,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
 mod tests {
     use super::*;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A puck that is held along two lines.
@@ -177,7 +178,7 @@ mod tests {
     fn analytic_independence_of_two_directions() {
         for (angle, is_near) in [(0.01_f64, true), (0.098, true), (0.102, false), (0.3, false)] {
             let scene = tilted::Rests { angle };
-            let mut system = System::new(&scene, Backend::Dense).unwrap();
+            let mut system = system_of(&scene, Backend::Dense).unwrap();
             let q = [0.0; 3];
             let independence = system.diagnosis().independence(0.0, &q).unwrap();
             assert!((independence / angle.tan().powi(2) - 1.0).abs() <= 1e-12, "{angle}: {independence}");

@@ -52,12 +52,13 @@ mod tests {
     use super::*;
     use crate::dynamics::tests::linkage;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     /// The coupler's end at 1.5 m from its centre is on the crank's at 1 m: both accelerate by a − ω² r along, and α r across, their directions.
     #[test]
     fn analytic_acceleration_of_a_hinge_and_its_rounding() {
         let scene = linkage::Turns::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let (crank, coupler) = (0.4_f64, -0.3_f64);
         let q = [0.1, 0.2, crank, 2.0, 0.5, coupler, 0.0, 0.0, 0.0];
         let v = [0.0, 0.0, 2.0, 0.0, 0.0, -3.0, 0.0, 0.0, 0.0];

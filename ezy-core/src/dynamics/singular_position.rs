@@ -107,6 +107,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
 mod tests {
     use super::*;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     crate::model! {
         /// Two bars between two fixed points, which they just reach.
@@ -126,7 +127,7 @@ mod tests {
     #[test]
     fn analytic_stretched_bars_are_refused_at_any_rate() {
         let scene = stretched::Hangs::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let mut state = State { q: vec![0.5, 0.0, 0.0, 1.5, 0.0, 0.0], ..State::zero(6, 0) };
         let (mut a, mut lambda) = ([0.0; 6], [0.0; 6]);
         let solved = system.accelerations(0.0, &state.q, &state.v, &mut a, &mut lambda).unwrap();

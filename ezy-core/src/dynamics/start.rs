@@ -289,13 +289,14 @@ mod tests {
     use super::*;
     use crate::dynamics::tests::linkage;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     /// Guesses that fail are moved: angles by at most a fifth of a radian and lengths by the share of the longest lever that the residual is, each
     /// time by other amounts, which fill these intervals evenly.
     #[test]
     fn analytic_moved_guesses_fill_the_neighbourhood() {
         let scene = linkage::Turns::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let (share, longest) = (0.1, system.geometry.length);
         let mut given = [false; 9];
         given[2] = true;

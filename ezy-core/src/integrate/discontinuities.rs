@@ -318,6 +318,7 @@ mod tests {
     use super::*;
     use crate::integrate::step_limit::is_too_short;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A puck that a spring pushes from x = 0 on, and from x = 4 m on another one.
@@ -379,7 +380,7 @@ mod tests {
     #[test]
     fn analytic_fixed_steps_stop_before_a_discontinuity() {
         let scene = buffer::Bounces::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let from = At::new(-1.0, 1.0, 0.0);
         for (h, whole) in [(1.5, 1.5), (2.0, 4.0)] {
             let mut discontinuities = EventDiscontinuities::new(system.info());
@@ -426,7 +427,7 @@ mod tests {
     #[test]
     fn invariant_stages_beyond_a_discontinuity_cut_a_step() {
         let scene = buffer::Bounces::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let from = At::new(-1.0, 1.0, 0.0);
         let (end, stage) = (from.after(0.8), from.after(1.2));
         let mut discontinuities = EventDiscontinuities::new(system.info());
@@ -441,7 +442,7 @@ mod tests {
     #[test]
     fn analytic_steps_of_high_order_end_behind_a_discontinuity() {
         let scene = buffer::Bounces::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let mut discontinuities = EventDiscontinuities::new(system.info());
         let from = At::new(-1.0, 1.0, 0.0);
         let length = |passage| if let Passage::Ends(length) = passage { length } else { f64::NAN };

@@ -69,6 +69,9 @@ pub struct Repeats {
 /// Largest number of bodies and members of each `for` together: some gigabytes.
 pub(crate) const LARGEST_N_MEMBERS: usize = 4_000_000;
 
+/// Counts beyond which products of them could overflow; such arrays are too large anyway.
+pub(crate) const LARGEST_COUNT: usize = 1_000_000;
+
 /// Counts that cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -78,6 +81,14 @@ pub enum LayoutFault {
     NoMembers {
         /// Name of the count.
         name: &'static str,
+    },
+    /// A count is too large by itself.
+    #[error("count `{name}` is {count}; give it at most {LARGEST_COUNT}")]
+    LargeCount {
+        /// Name of the count.
+        name: &'static str,
+        /// Its value.
+        count: usize,
     },
     /// Too many bodies and members.
     #[error(

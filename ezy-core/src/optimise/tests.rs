@@ -2,10 +2,11 @@
 
 use super::model::{Model, Runs};
 use super::*;
+use crate::__model as model;
 use crate::integrate::Method;
 use crate::linalg::Backend;
-use crate::simulate::{Run, SetupError, Simulation};
-use crate::{__model as model, dynamics::System};
+use crate::simulate::{Run, SetupError};
+use crate::testing::{simulation, system_of};
 use std::f64::consts::TAU;
 
 model! {
@@ -60,7 +61,7 @@ fn times(n: usize, end_s: f64) -> Vec<f64> {
 /// The cart on its spring with stiffness and damping.
 fn swing(k: f64, c: f64, data: &Measured) -> Result<Run, SetupError> {
     let scene = cart::Swing { k, c, ..Default::default() };
-    Simulation::new(&scene).at(data.times().to_vec()).run()
+    simulation(&scene).at(data.times().to_vec()).run()
 }
 
 /// x of the cart: an oscillation with damping from 0.1 m at rest.
@@ -96,7 +97,7 @@ fn analytic_line_has_values_errors_and_intervals_of_regression() {
     let free = [Free::new("cart.x", 0.5), Free::new("cart.vx", 1.0)];
     let scene = cart::Glide::default();
     let run = |values: &[f64]| {
-        let simulation = Simulation::new(&scene).start("cart.x", values[0]).start("cart.vx", values[1]);
+        let simulation = simulation(&scene).start("cart.x", values[0]).start("cart.vx", values[1]);
         simulation.at(data.times().to_vec()).run()
     };
     let fitted = Fit::new(free, &data, run).solve().unwrap();
@@ -134,7 +135,7 @@ fn reference_pendulum_is_identified_from_exact_data() {
     let data = Measured::new(times(40, 4.0));
     let run = |l: f64, c: f64, times: &[f64]| {
         let scene = pendulum::Swing { l, c };
-        Simulation::new(&scene).at(times.to_vec()).run()
+        simulation(&scene).at(times.to_vec()).run()
     };
     let truth = run(0.8, 0.05, data.times()).unwrap();
     let sampled = truth.column("bob.phi").unwrap();
@@ -160,7 +161,7 @@ fn fd_jacobian_of_runs_is_that_of_sensitivities() {
     let free = stiffness_and_damping().to_vec();
     let mut model = Model { free, data: &data, runs, derivatives: None, tolerance: 1e-9 };
     let scene = cart::Swing::default();
-    let start = System::new(&scene, Backend::Auto).unwrap().scene_start();
+    let start = system_of(&scene, Backend::Auto).unwrap().scene_start();
     let exact = sensitivities_at(&scene, &start, ["k", "c"], Method::dop853(1e-11), &data).unwrap();
     // the second time from a start that is five hundred times too large
     for start in [[5.0, 1.5], [4000.0, 200.0]] {
@@ -187,7 +188,7 @@ fn cross_fit_by_sensitivities_is_that_by_differences_and_of_the_closed_form() {
     let first = by_differences().solve().unwrap();
     let second = by_differences().derivatives(|x| {
         let scene = cart::Swing { k: x[0], c: x[1], ..Default::default() };
-        let start = System::new(&scene, Backend::Auto).ok()?.scene_start();
+        let start = system_of(&scene, Backend::Auto).ok()?.scene_start();
         sensitivities_at(&scene, &start, ["k", "c"], Method::dop853(1e-10), &data).ok()
     });
     let second = second.solve().unwrap();
@@ -228,7 +229,7 @@ fn invariant_product_of_two_parameters_is_told_as_such() {
     let free = [Free::new("k", 5.0), Free::new("s", 1.3), Free::new("c", 0.3)];
     let fitted = Fit::new(free, &data, |x| {
         let scene = cart::Swing { k: x[0], s: x[1], c: x[2] };
-        Simulation::new(&scene).at(data.times().to_vec()).run()
+        simulation(&scene).at(data.times().to_vec()).run()
     });
     let fitted = fitted.solve().unwrap();
     assert_eq!(fitted.undetermined, [["k", "s"]], "{fitted}");
@@ -281,7 +282,7 @@ fn invariant_wrong_requests_say_what_is_missing() {
     let data = noisy(7);
     let short = |data: &Measured| {
         let scene = cart::Swing::default();
-        Fit::new([Free::new("k", 8.0)], data, |_| Simulation::new(&scene).run()).solve().unwrap_err().to_string()
+        Fit::new([Free::new("k", 8.0)], data, |_| simulation(&scene).run()).solve().unwrap_err().to_string()
     };
     assert!(short(&data).contains("call `.at(data.times().to_vec())`"), "{}", short(&data));
     let misspelt = Measured::new([3.0]).column("cart.z", [1.0]).column("cart.x", [1.0]);
@@ -293,7 +294,7 @@ fn invariant_wrong_requests_say_what_is_missing() {
 /// A run with two start values to look for: it glides from `x0` with `v`.
 fn glide(values: &[f64]) -> Result<Run, SetupError> {
     let scene = cart::Glide::default();
-    Simulation::new(&scene).until(1.0).start("cart.x", values[0]).start("cart.vx", values[1]).run()
+    simulation(&scene).until(1.0).start("cart.x", values[0]).start("cart.vx", values[1]).run()
 }
 
 /// The function of Himmelblau less a slope: four minima, of which the slope makes that near (3, 2) the least.

@@ -80,7 +80,7 @@ impl<W: Write + Send> Recorder for CsvWriter<W> {
 mod tests {
     use super::*;
     use crate::integrate::Method;
-    use crate::simulate::Simulation;
+    use crate::testing::simulation;
 
     crate::model! {
         /// A puck that nothing holds.
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn invariant_no_row_is_written_behind_one_that_is_missing() {
-        let run = Simulation::new(&puck::Glides::default()).method(Method::rk4(0.5)).every(0.5).run().unwrap();
+        let run = simulation(&puck::Glides::default()).method(Method::rk4(0.5)).every(0.5).run().unwrap();
         let mut writer = CsvWriter::new(FullOnce::default());
         let written: Vec<bool> = run.samples().map(|sample| writer.record(&sample).is_ok()).collect();
         assert_eq!(written, [true, false, false]);

@@ -110,7 +110,7 @@ impl Checkpoint {
 mod tests {
     use super::*;
     use crate::integrate::Method;
-    use crate::simulate::Simulation;
+    use crate::testing::simulation;
 
     crate::model! {
         /// A stone that falls.
@@ -128,7 +128,7 @@ mod tests {
     #[test]
     fn invariant_checkpoint_comes_back_from_a_text() {
         let scene = stone::Falls::default();
-        let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-2)).stepper().unwrap();
+        let mut stepper = simulation(&scene).method(Method::rk4(1e-2)).stepper().unwrap();
         stepper.step(3).unwrap();
         let checkpoint = stepper.save();
         let text = serde_json::to_string(&checkpoint).unwrap();
@@ -140,7 +140,7 @@ mod tests {
     #[test]
     fn invariant_damaged_checkpoint_is_refused() {
         let scene = stone::Falls::default();
-        let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-2)).stepper().unwrap();
+        let mut stepper = simulation(&scene).method(Method::rk4(1e-2)).stepper().unwrap();
         stepper.step(10).unwrap();
         let (whole, state) = (stepper.save(), stepper.state().clone());
         let with = |i: usize, x: f64| {

@@ -6,6 +6,7 @@ use ezy_core::linalg::{KktFactorization, SparseKkt};
 use ezy_core::model::{LayoutFault, Start};
 use ezy_core::prelude::*;
 use ezy_core_tests::{simulation, system_of};
+use ezy_models::hanging_net;
 use std::sync::Arc;
 
 model! {
@@ -162,7 +163,11 @@ fn invariant_count_of_zero_and_far_too_many_are_refused() {
         other => panic!("{other:?}"),
     };
     assert_eq!(fault(0), LayoutFault::NoMembers { name: "n" });
-    assert!(matches!(fault(1 << 50), LayoutFault::TooManyMembers { .. }));
+    assert_eq!(fault(1_000_001).to_string(), "count `n` is 1000001; give it at most 1000000");
+    assert_eq!(fault(1 << 50), LayoutFault::LargeCount { name: "n", count: 1 << 50 });
+    let net = hanging_net::Swing { rows: 3_000, columns: 3_000, ..Default::default() };
+    let net = system_of(&net, Backend::Auto).err();
+    assert!(matches!(net, Some(SystemError::Layout(LayoutFault::TooManyMembers { .. }))), "{net:?}");
 }
 
 #[test]

@@ -3,8 +3,9 @@
 use crate::analysis::inverse_dynamics::InverseDynamics;
 use crate::analysis::linearization::null_space;
 use crate::analysis::{AnalysisError, Course, Frame, Rests, Spectrum, SteadyMotion};
-use crate::dynamics::{State, System};
+use crate::dynamics::State;
 use crate::linalg::Backend;
+use crate::testing::system_of;
 use nalgebra::DMatrix;
 
 /// Of the three eigenvalues 2, 1 and x, the last one is zero below 1e-11 of the largest entry, 2.
@@ -90,7 +91,7 @@ crate::model! {
 fn analytic_weak_spring_is_wound_or_not() {
     for (moment, n) in [(1e-9, 3), (1e-11, 2)] {
         let scene = weakly::Rests { k: moment / std::f64::consts::TAU };
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let rests = Rests::of(&mut system, &start, &[], 40).unwrap();
         let angles: Vec<f64> = rests.found.iter().map(|rest| rest.motion.state.q[2]).collect();
@@ -121,7 +122,7 @@ crate::model! {
 fn analytic_inputs_that_act_nearly_alike_are_refused() {
     for (apart, are_alike) in [(4e-11, false), (4e-13, true)] {
         let scene = carts::Held { apart, ..Default::default() };
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let start = system.consistent_start(&system.scene_start()).unwrap();
         let mut inverse = InverseDynamics::new(&system, &["hold_a", "hold_b"], &["one", "two"]).unwrap();
         match inverse.at(&mut system, &start) {
@@ -150,13 +151,13 @@ crate::model! {
 #[test]
 fn analytic_infinite_slope_is_refused_and_beside_it_there_is_a_rest() {
     let scene = steep::Begins::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let error = SteadyMotion::near(&mut system, &start, &[]).unwrap_err();
     assert!(matches!(error, AnalysisError::NotFinite { scene: "begins" }), "{error}");
 
     let scene = steep::Rests::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap();
     assert!((motion.state.q[0] - 4.0 / 9.0).abs() <= 1e-12, "{:?}", motion.state.q);
@@ -177,7 +178,7 @@ crate::model! {
 #[test]
 fn invariant_rest_that_no_force_makes_is_not_found() {
     let scene = plumb::Hangs::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let error = SteadyMotion::near(&mut system, &start, &["bob.x"]).unwrap_err();
     assert!(error.to_string().contains("bob"), "{error}");

@@ -2,8 +2,8 @@
 
 use crate::analysis::tolerances::continuation::SHORTEST;
 use crate::analysis::{AnalysisError, BifurcationDiagram, BranchEnd, Course, Linearization, Rests, SteadyMotion};
-use crate::dynamics::System;
 use crate::linalg::Backend;
+use crate::testing::system_of;
 
 crate::model! {
     /// A ball above a floor, or on a spring that lifts it.
@@ -33,7 +33,7 @@ fn analytic_ball_rests_on_its_floor_its_ceiling_or_its_spring() {
     ];
     for (lift, k, y, multiplier) in cases {
         for scene in [&ball::Falls { lift, k } as &dyn crate::model::Scene, &ball::Lies { lift, k }] {
-            let mut system = System::new(scene, Backend::Auto).unwrap();
+            let mut system = system_of(scene, Backend::Auto).unwrap();
             let start = system.scene_start();
             let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap();
             let stop = system.info().stop.unwrap().row;
@@ -58,7 +58,7 @@ fn analytic_diagram_ends_where_the_stop_lets_go_or_is_met() {
         (85.0, [85.0, 90.0], 90.0, BranchEnd::Range),
     ] {
         let scene = ball::Falls { lift, k: 20.0 };
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let diagram = BifurcationDiagram::of(&mut system, &start, &[], "lift", range, 1.0).unwrap();
         assert_eq!((diagram.branches.len(), diagram.branches[0].ends), (1, [BranchEnd::Range, end]));
@@ -83,7 +83,7 @@ crate::model! {
 #[test]
 fn analytic_stop_that_would_have_to_pull_is_no_rest() {
     let scene = repelled::Rises::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let error = SteadyMotion::near(&mut system, &start, &[]).unwrap_err();
     assert!(matches!(&error, AnalysisError::BeyondStop { stop: "floor", .. }), "{error}");
@@ -107,7 +107,7 @@ crate::model! {
 fn analytic_skate_holds_up_to_its_limit_and_slides_beyond() {
     for (push, holds) in [(5.0, true), (9.999, true), (10.001, false)] {
         let scene = runner::Glides { push };
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         match SteadyMotion::near(&mut system, &start, &["runner.vx", "runner.omega"]) {
             Ok(motion) => assert!(holds && (motion.multipliers[0] - push).abs() <= 1e-12, "{motion:?}"),
@@ -132,7 +132,7 @@ crate::model! {
 #[test]
 fn invariant_motion_that_comes_to_rest_is_rest() {
     let scene = braked::Stops::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap();
     assert_eq!(motion.course(), Course::Rest);
@@ -166,7 +166,7 @@ fn analytic_pendulum_sinks_to_its_nearest_rest() {
     for (angle, rest) in cases {
         for i in [0.0, 0.1] {
             let scene = level::Falls { i };
-            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let mut system = system_of(&scene, Backend::Auto).unwrap();
             let mut start = system.scene_start();
             start.q[2] = angle;
             let motion = SteadyMotion::near(&mut system, &start, &[]).unwrap();

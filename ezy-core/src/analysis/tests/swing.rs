@@ -1,9 +1,9 @@
 //! Modes as motions that are shown: what holds for every one of them, and closed forms.
 
 use crate::analysis::{Linearization, Mode, SteadyMotion, Swing};
-use crate::dynamics::System;
 use crate::linalg::Backend;
 use crate::model::Scene;
+use crate::testing::system_of;
 use std::f64::consts::TAU;
 
 crate::model! {
@@ -33,7 +33,7 @@ const ROUNDING: f64 = 1e-14;
 const THIRD_ORDER: f64 = 8.0;
 
 fn modes(scene: &dyn Scene) -> (SteadyMotion, Vec<Mode>) {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
     let linear = Linearization::of(&mut system, &rest).unwrap();

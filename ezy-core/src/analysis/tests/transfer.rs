@@ -1,11 +1,10 @@
 //! Transfer functions against closed forms, and by second routes.
 
 use crate::analysis::{AnalysisError, Linearization, SteadyMotion, Transfer};
-use crate::dynamics::System;
 use crate::integrate::Method;
 use crate::linalg::Backend;
 use crate::model::Scene;
-use crate::simulate::Simulation;
+use crate::testing::{simulation, system_of};
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -69,7 +68,7 @@ const ROOTS: f64 = 1e-12;
 const VALUES: f64 = 1e-11;
 
 fn linear(scene: &dyn Scene) -> Linearization {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let rest = SteadyMotion::near(&mut system, &start, &[]).unwrap();
     Linearization::of(&mut system, &rest).unwrap()
@@ -407,7 +406,7 @@ fn reference_run_with_a_sine_has_the_amplitude_and_phase_of_the_response() {
     let half = 0.5 * omega * STEP;
     let held = Complex::from_polar(half.sin() / half, -half);
     for amplitude in [0.02, 0.2] {
-        let run = Simulation::new(&scene).method(Method::rk4(STEP)).until(SETTLED_S + 2.0).every(STEP).outputs();
+        let run = simulation(&scene).method(Method::rk4(STEP)).until(SETTLED_S + 2.0).every(STEP).outputs();
         let run = run.control_by_index(move |t, _, inputs| inputs[0] = amplitude * (omega * t).sin()).run().unwrap();
         let last: Vec<_> = run.samples().filter(|s| s.t > SETTLED_S + 0.5 * STEP).collect();
         assert_eq!(last.len(), 1000);

@@ -387,6 +387,7 @@ fn useful_degree(sizes: &[f64; N], length: f64) -> usize {
 mod tests {
     use super::*;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A puck on a spring: x'' = −k x.
@@ -411,7 +412,7 @@ mod tests {
     fn analytic_changes_that_are_rounding_end_sweeps() {
         let solved = |rough: f64| {
             let scene = sprung::Trembles { rough, ..Default::default() };
-            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let mut system = system_of(&scene, Backend::Auto).unwrap();
             let mut gauss = Gauss::new(&scene, 0);
             let (mut from, a) = (State::zero(3, 0), [-1.0, 0.0, 0.0]);
             from.q[0] = 1.0;
@@ -426,7 +427,7 @@ mod tests {
     /// From x = 1 m at rest, in a step of 1 s with a tolerance of 1e-6: the outcome, and how many sweeps it took.
     fn swept(k: f64) -> (bool, u64) {
         let scene = sprung::Swings { k };
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let mut gauss = Gauss::new(&scene, 0);
         let (mut from, a) = (State::zero(3, 0), [-k, 0.0, 0.0]);
         from.q[0] = 1.0;

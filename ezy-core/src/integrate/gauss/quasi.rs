@@ -195,6 +195,8 @@ mod tests {
     use crate::integrate::gauss::{Collocated, Gauss};
     use crate::integrate::{Node, Tolerance};
     use crate::linalg::Backend;
+    use crate::model::Scene;
+    use crate::testing::system_of;
 
     crate::model! {
         /// Two bodies on a skate each, hinged, with a torque between them: the roller racer.
@@ -217,7 +219,7 @@ mod tests {
 
     /// Steps of one scene.
     struct Steps<'s> {
-        system: System<&'s racer::Rides>,
+        system: System<&'s dyn Scene>,
         gauss: Gauss,
         state: State,
     }
@@ -225,7 +227,7 @@ mod tests {
     impl<'s> Steps<'s> {
         /// Velocities at the start are those that rows give, with this change of the first one.
         fn new(scene: &'s racer::Rides, change: f64, in_quasi_velocities: bool) -> Self {
-            let mut system = System::new(scene, Backend::Auto).unwrap();
+            let mut system = system_of(scene, Backend::Auto).unwrap();
             let given = system.scene_start();
             let mut state = system.consistent_start(&given).unwrap();
             state.v[0] += change;

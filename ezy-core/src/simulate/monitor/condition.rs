@@ -95,6 +95,7 @@ impl ConditionWatch {
 mod tests {
     use super::*;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A puck in a guide that nearly follows a wall: slopes (1, 0, 0) and (1, 0, w φ).
@@ -118,7 +119,7 @@ mod tests {
     #[test]
     fn invariant_worst_condition_of_the_steps_that_are_looked_at() {
         let scene = guided::Turns::default();
-        let mut system = System::new(&scene, Backend::Dense).unwrap();
+        let mut system = system_of(&scene, Backend::Dense).unwrap();
         let mut watch = ConditionWatch::new(&mut system, &at(0.0, 0.5)).unwrap();
         let at_start = watch.peak.clone();
         assert!(
@@ -159,7 +160,7 @@ mod tests {
     fn regress_scenes_of_up_to_two_hundred_equations_are_watched() {
         for (n, is_watched) in [(40, true), (41, false)] {
             let scene = row::Rests { n };
-            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let mut system = system_of(&scene, Backend::Auto).unwrap();
             assert_eq!(ConditionWatch::new(&mut system, &State::zero(3 * n, 0)).is_some(), is_watched, "{n}");
         }
     }

@@ -72,6 +72,7 @@ impl EnergyWatch {
 mod tests {
     use super::*;
     use crate::linalg::Backend;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A stone of 2 kg that falls.
@@ -92,7 +93,7 @@ mod tests {
     #[test]
     fn analytic_balance_over_what_was_turned_over() {
         let scene = stone::Falls::default();
-        let system = System::new(&scene, Backend::Auto).unwrap();
+        let system = system_of(&scene, Backend::Auto).unwrap();
         let mut watch = EnergyWatch::new(&system, &at(5.0, 1.0, [0.0; 2]));
         // 9 J + 80 J + 3 J − 10 J − 101 J over 9 J + 20 J + 13 J
         let first = watch.balance(&system, &at(4.0, 3.0, [10.0, -3.0]));
@@ -116,7 +117,7 @@ mod tests {
     #[test]
     fn analytic_rounding_of_the_potential_energy_is_no_error() {
         let scene = stone::Falls::default();
-        let system = System::new(&scene, Backend::Auto).unwrap();
+        let system = system_of(&scene, Backend::Auto).unwrap();
         for (roundings, counts) in [(10.0, false), (40.0, true)] {
             let mut watch = EnergyWatch::new(&system, &at(5.0, 0.0, [0.0; 2]));
             let now = watch.balance(&system, &at(5.0 * (1.0 + roundings * f64::EPSILON), 0.0, [0.0; 2]));

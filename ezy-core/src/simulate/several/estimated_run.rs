@@ -261,6 +261,7 @@ fn amplification(one: &Run, moved: &Run, by: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::model::Scene;
+    use crate::testing::simulation;
 
     /// The second run has a thousandth of the tolerance, and where that is rounding another method; a third choice has ten times the tolerance.
     #[test]
@@ -353,7 +354,7 @@ mod tests {
     #[test]
     fn invariant_limits_of_a_run_are_not_those_of_the_runs_beside_it() {
         let scene = hung::Hangs::default();
-        let order = || Simulation::new(&scene).method(Method::rk4(0.25)).max_drift(0.0);
+        let order = || simulation(&scene).method(Method::rk4(0.25)).max_drift(0.0);
         let run = order().estimate_error().run().unwrap();
         assert!(run.outcome.is_complete(), "{:?}", run.outcome);
         let estimate = run.error_estimate.unwrap().unwrap();
@@ -365,7 +366,7 @@ mod tests {
     }
 
     fn run<S: Scene>(scene: &S) -> Run {
-        Simulation::new(scene).method(Method::rk4(0.25)).every(0.5).run().unwrap()
+        simulation(scene).method(Method::rk4(0.25)).every(0.5).run().unwrap()
     }
 
     /// A run of fixed steps is judged by another method, whose steps may be as many by chance.
@@ -380,7 +381,7 @@ mod tests {
     #[test]
     fn analytic_errors_of_second_runs() {
         let scene = puck::Glides::default();
-        let of = |method| (method, Simulation::new(&scene).method(method).run().unwrap());
+        let of = |method| (method, simulation(&scene).method(method).run().unwrap());
         let [long, short] = [Method::rk4(0.25), Method::rk4(0.125)].map(of);
         let of_second = |(second, of_second): &(Method, Run), (first, of_first): &(Method, Run)| {
             error_of_second((*second, of_second), (*first, of_first))

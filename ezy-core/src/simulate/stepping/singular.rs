@@ -130,6 +130,7 @@ mod tests {
     use super::*;
     use crate::linalg::Backend;
     use crate::model::Scene;
+    use crate::testing::system_of;
 
     crate::model! {
         /// A puck in a guide that follows a wall at the angle Ω t of the puck: slopes (1, 0, 0) and (1, 0, w (φ − Ω t)).
@@ -171,7 +172,7 @@ mod tests {
     #[test]
     fn analytic_root_of_the_pivot_falls_in_proportion_to_the_distance() {
         let scene = guided::Turns::default();
-        let mut system = System::new(&scene, Backend::Dense).unwrap();
+        let mut system = system_of(&scene, Backend::Dense).unwrap();
         let info = scene.info();
         let ahead = |system: &mut System<&_>, pivots: [f64; 2], usual_s: f64| {
             let (before, now) = (at(&info, 1.0, 0.2, -0.2, pivots[0]), at(&info, 1.5, 0.1, -0.2, pivots[1]));
@@ -193,7 +194,7 @@ mod tests {
         let located = 0.25 * GOLDEN.powi(16);
         for rate in [0.5, 0.0] {
             let scene = guided::Turns { rate, ..Default::default() };
-            let mut system = System::new(&scene, Backend::Dense).unwrap();
+            let mut system = system_of(&scene, Backend::Dense).unwrap();
             let info = scene.info();
             let pivot = system.at_with(3.0, &[0.0, 0.0, 3.0 * rate + 0.1], Rows::Held).smallest_pivot();
             let now = at(&info, 3.0, 3.0 * rate + 0.1, rate - 1.0, pivot);
@@ -205,7 +206,7 @@ mod tests {
             }
         }
         let scene = guided::Turns::default();
-        let mut system = System::new(&scene, Backend::Dense).unwrap();
+        let mut system = system_of(&scene, Backend::Dense).unwrap();
         let info = scene.info();
         let pivot = system.at_with(0.0, &[0.0, 0.0, 0.1], Rows::Held).smallest_pivot();
         let mut now = at(&info, 3.0, 0.1, -1.0, pivot);

@@ -10,6 +10,7 @@ use crate::dynamics::{Jacobians, ResidualPlaces, State, System};
 use crate::integrate::family::Sizes;
 use crate::linalg::Backend;
 use crate::model::Scene;
+use crate::testing::system_of;
 use nalgebra::Complex;
 
 crate::model! {
@@ -67,8 +68,8 @@ const STEP: f64 = 1e-5;
 const ROUNDING: f64 = 1e-12;
 
 /// A state with its accelerations, multipliers, rates and Jacobians.
-struct At<'s, S: Scene> {
-    system: System<&'s S>,
+struct At<'s> {
+    system: System<&'s dyn Scene>,
     state: State,
     a: Vec<f64>,
     lambda: Vec<f64>,
@@ -76,9 +77,9 @@ struct At<'s, S: Scene> {
     jacobians: Jacobians,
 }
 
-impl<'s, S: Scene> At<'s, S> {
-    fn start_of(scene: &'s S) -> Self {
-        let mut system = System::new(scene, Backend::Dense).unwrap();
+impl<'s> At<'s> {
+    fn start_of(scene: &'s dyn Scene) -> Self {
+        let mut system = system_of(scene, Backend::Dense).unwrap();
         let start = system.scene_start();
         let state = system.consistent_start(&start).unwrap();
         let info = scene.info();
@@ -185,7 +186,7 @@ fn solve_with_the_slope_of_the_residual<S: Scene>(scene: &S, within: f64) {
 #[test]
 fn analytic_matrices_with_a_dependent_row_are_regular() {
     let scene = guided::Rests::default();
-    let mut system = System::new(&scene, Backend::Dense).unwrap();
+    let mut system = system_of(&scene, Backend::Dense).unwrap();
     let places = ResidualPlaces::of(&scene).unwrap();
     let (info, zeros) = (scene.info(), [0.0; 3]);
     let mut jacobians = Jacobians::zero(&info, &places);

@@ -7,6 +7,8 @@ use super::free;
 use crate::dynamics::{State, System};
 use crate::integrate::{Node, Tolerance};
 use crate::linalg::Backend;
+use crate::model::Scene;
+use crate::testing::system_of;
 
 const M: f64 = 4.0;
 
@@ -17,7 +19,7 @@ const ROUNDING: f64 = 1e-10;
 
 /// A step that was tried from x = 1 m, x' = -0.5 m/s.
 struct Tried<'s> {
-    system: System<&'s free::Swings>,
+    system: System<&'s dyn Scene>,
     radau: Radau,
     from: State,
     a: [f64; 3],
@@ -33,7 +35,7 @@ impl<'s> Tried<'s> {
     }
 
     fn with_velocity(scene: &'s free::Swings, v: f64, h: f64) -> Self {
-        let system = System::new(scene, Backend::Auto).unwrap();
+        let system = system_of(scene, Backend::Auto).unwrap();
         let mut from = State::zero(3, 1);
         (from.q[0], from.v[0]) = (1.0, v);
         let force = -(scene.k + scene.c * v);
@@ -124,7 +126,7 @@ fn analytic_estimate_with_a_singular_matrix_is_infinite() {
     let (h, scene) = (GAMMA / mu, free::Swings::default());
     let mut tried = Tried::new(&scene, h);
     let singular = free::Swings { k: 0.0, c: -M * mu };
-    let mut system = System::new(&singular, Backend::Auto).unwrap();
+    let mut system = system_of(&singular, Backend::Auto).unwrap();
     let from = Node { state: &tried.from, q_rate: &tried.from.v, a: &tried.a, rate: &[], power: &tried.power };
     assert_eq!(tried.radau.estimate_at_end(&mut system, from, h, &tried.to), f64::INFINITY);
     assert!(tried.radau.estimate_at_end(&mut tried.system, from, h, &tried.to) < 1e9);
@@ -275,7 +277,7 @@ fn invariant_large_slopes_that_the_filter_hides_are_looked_at_again() {
 #[test]
 fn regress_twenty_steps_have_slopes_at_every_stage_after_one_that_diverged() {
     let scene = free::Hits::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let mut radau = Radau::new(&scene, 0).unwrap().unwrap();
     let mut from = State::zero(3, 0);
     from.v[0] = 1.0;

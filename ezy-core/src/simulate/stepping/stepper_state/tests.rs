@@ -3,6 +3,8 @@
 use super::*;
 use crate::integrate::MethodKind;
 use crate::linalg::Backend;
+use crate::model::Scene;
+use crate::testing::system_of;
 
 crate::model! {
     /// A parallelogram without forces: it turns uniformly.
@@ -20,8 +22,8 @@ crate::model! {
 }
 
 /// At 1 s, at this angle to the flat position, turning by 1 rad/s; evaluated.
-fn at(scene: &parallelogram::Turns, angle: f64) -> StepperState<&parallelogram::Turns> {
-    let system = System::new(scene, Backend::Auto).unwrap();
+fn at(scene: &parallelogram::Turns, angle: f64) -> StepperState<&dyn Scene> {
+    let system = system_of(scene, Backend::Auto).unwrap();
     let mut stepper = StepperState::new(system, Method::taylor(1e-6), Projection::Both, Metric::Mass, false).unwrap();
     let (sin, cos) = angle.sin_cos();
     let (x, y) = (0.5 * cos, 0.5 * sin);
@@ -94,10 +96,10 @@ crate::model! {
 }
 
 /// After each of some steps: another one goes on with the same bits.
-fn goes_on_to_the_last_bit<S: crate::model::Scene>(scene: &S, start: &State, kind: MethodKind) {
+fn goes_on_to_the_last_bit<S: Scene>(scene: &S, start: &State, kind: MethodKind) {
     let method = kind.with_step(0.01).or(kind.with_tolerance(Tolerance::new(1e-7, 1e-7))).unwrap();
     let new = || {
-        let system = System::new(scene, Backend::Auto).unwrap();
+        let system = system_of(scene, Backend::Auto).unwrap();
         StepperState::new(system, method, Projection::Both, Metric::Mass, true).unwrap()
     };
     let mut first = new();
@@ -139,7 +141,7 @@ fn invariant_what_is_remembered_goes_on_to_the_last_bit() {
 #[test]
 fn invariant_remembered_first_order_states_go_on_to_the_last_bit() {
     let scene = charged::Swings::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.consistent_start(&system.scene_start()).unwrap();
     let takes_states = |kind: &MethodKind| kind.info().takes_states;
     MethodKind::ALL.iter().copied().filter(takes_states).for_each(|kind| goes_on_to_the_last_bit(&scene, &start, kind));

@@ -138,7 +138,7 @@ pub(crate) mod roots {
 /// The runs beside one that estimate its error.
 pub(crate) mod second_run {
     /// Tolerance of the second run over that of the first. A method follows its tolerance roughly: at a hundredth, errors of the second run are as large as those
-    /// of the first once in some ten thousand runs; at a thousandth it takes two to five times the time.
+    /// of the first once in some ten thousand runs; at a thousandth it takes one and a half to four times the time.
     /// Unit: 1.
     /// Test: `cross_estimates_of_a_first_run_that_is_lucky_are_not_too_small`.
     pub(crate) const TIGHTER: f64 = 1e-3;

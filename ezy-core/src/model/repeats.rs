@@ -69,7 +69,7 @@ pub struct Repeats {
 /// Largest number of bodies and members of each `for` together: some gigabytes.
 pub(crate) const LARGEST_N_MEMBERS: usize = 4_000_000;
 
-/// Counts beyond which products of them could overflow; such arrays are too large anyway.
+/// A count beyond it is a slip, and is refused before anything is set up.
 pub(crate) const LARGEST_COUNT: usize = 1_000_000;
 
 /// Counts that cannot be used.

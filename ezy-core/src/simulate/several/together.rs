@@ -123,8 +123,11 @@ pub fn run_together(
         return Err("the eight have different times or tolerances");
     }
     let info = scene.info();
-    if runs.len() > N_LANES || runs.iter().any(|run| run.identity != info.identity()) {
-        return Err("they are more than eight, or of different scenes");
+    if runs.len() > N_LANES {
+        return Err("they are more than eight");
+    }
+    if runs.iter().any(|run| run.identity != info.identity()) {
+        return Err("they are of different scenes");
     }
     scene.in_lanes().ok_or(WITHOUT_ELIMINATION)?;
     let mut systems = Vec::with_capacity(runs.len());

@@ -56,7 +56,7 @@ fn difference(last: &[u8], now: &[u8], columns: u16, rows: u16) -> Frame<'static
     for (x, y) in places {
         (left, right, top, bottom) = (left.min(x), right.max(x), top.min(y), bottom.max(y));
     }
-    if left > right {
+    if left > right || top > bottom {
         // nothing has: one pixel that stays
         (left, right, top, bottom) = (0, 0, 0, 0);
     }

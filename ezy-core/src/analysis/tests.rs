@@ -8,8 +8,8 @@ mod transfer;
 
 use super::{AnalysisError, Course, Instability, Linearization, Locus, Monodromy, Rests, Spectrum, SteadyMotion};
 use crate::dynamics::State;
+use crate::dynamics::system_of;
 use crate::linalg::Backend;
-use crate::testing::system_of;
 use nalgebra::DMatrix;
 
 crate::model! {

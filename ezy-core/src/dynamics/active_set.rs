@@ -73,10 +73,10 @@ impl ActiveSet {
 
 #[cfg(test)]
 mod tests {
+    use crate::dynamics::system_of;
     use crate::dynamics::{Metric, Projection, System};
     use crate::linalg::{Backend, INDEPENDENT, Independent};
     use crate::model::Scene;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A bead on a rail, and a stop across it.

@@ -182,9 +182,9 @@ impl<'a> Partition<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::dynamics::tests::linkage;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     /// Near values come first, angles before lengths, those that moved least before others; then what is not given, places before angles.
     #[test]

@@ -291,9 +291,9 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
 #[cfg(all(test, feature = "sparse"))]
 mod tests {
     use super::Rows;
+    use crate::dynamics::system_of;
     use crate::dynamics::tests::row;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     /// The pivot of a start comes from the sparse factors that the first step takes, and no matrix is taken apart as a full one.
     #[test]

@@ -151,8 +151,8 @@ fn root_weights(mass: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use crate::dynamics::system_of;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A stone that nothing holds.

@@ -45,9 +45,9 @@ impl<P: SceneRef> Assembly<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::linalg::Backend;
     use crate::model::Scene;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A trolley on a rail with a rod that hangs from it, and a stone that nobody placed.

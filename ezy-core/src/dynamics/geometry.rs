@@ -135,8 +135,8 @@ fn largest(x: impl Iterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A rod on a hinge 0.75 m from its centre, a wheel on it, and a block that nothing holds.

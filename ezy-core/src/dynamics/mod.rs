@@ -61,6 +61,8 @@ pub use solved::Solved;
 pub use strain::{Strain, StrainSource};
 pub use system::System;
 pub use system::described_solver;
+#[cfg(test)]
+pub(crate) use system::system_of;
 pub(crate) use with_derivatives::{Kernels, SystemWithDerivatives};
 pub use worst::{Projected, Worst};
 

@@ -400,9 +400,9 @@ impl<P: SceneRef> Projector<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::dynamics::tests::linkage;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A rod about a fixed point, and a stone far away that nothing holds.

@@ -158,8 +158,8 @@ impl<P: SceneRef> Diagnosis<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A puck that is held along two lines.

@@ -50,9 +50,9 @@ impl<P: SceneRef> Diagnosis<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::dynamics::tests::linkage;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     /// The coupler's end at 1.5 m from its centre is on the crank's at 1 m: both accelerate by a − ω² r along, and α r across, their directions.
     #[test]

@@ -106,8 +106,8 @@ impl<P: SceneRef> Diagnosis<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     crate::model! {
         /// Two bars between two fixed points, which they just reach.

@@ -287,9 +287,9 @@ impl<P: SceneRef> Assembly<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::dynamics::tests::linkage;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     /// Guesses that fail are moved: angles by at most a fifth of a radian and lengths by the share of the longest lever that the residual is, each
     /// time by other amounts, which fill these intervals evenly.

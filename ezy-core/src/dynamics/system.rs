@@ -298,3 +298,12 @@ fn body_of(info: &SceneInfo, i: usize) -> (Name, &'static str) {
     let body = velocity.name.rsplit_once('.').map_or(&*velocity.name, |(body, _)| body);
     (body.to_owned().into(), if velocity.is_angle() { "inertia" } else { "mass" })
 }
+
+/// A system of any scene, so that unit tests do not compile the solver for each of fifty types.
+#[cfg(test)]
+pub(crate) fn system_of<'s>(
+    scene: &'s (dyn crate::model::Scene + 's),
+    backend: Backend,
+) -> Result<System<&'s dyn crate::model::Scene>, SystemError> {
+    System::new(scene, backend)
+}

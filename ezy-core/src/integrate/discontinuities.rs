@@ -316,9 +316,9 @@ fn events<P: SceneRef>(system: &mut System<P>, at: &State, out: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::integrate::step_limit::is_too_short;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A puck that a spring pushes from x = 0 on, and from x = 4 m on another one.

@@ -3,10 +3,11 @@
 use super::model::{Model, Runs};
 use super::*;
 use crate::__model as model;
+use crate::dynamics::system_of;
 use crate::integrate::Method;
 use crate::linalg::Backend;
+use crate::simulate::simulation;
 use crate::simulate::{Run, SetupError};
-use crate::testing::{simulation, system_of};
 use std::f64::consts::TAU;
 
 model! {

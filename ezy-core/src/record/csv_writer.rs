@@ -80,7 +80,7 @@ impl<W: Write + Send> Recorder for CsvWriter<W> {
 mod tests {
     use super::*;
     use crate::integrate::Method;
-    use crate::testing::simulation;
+    use crate::simulate::simulation;
 
     crate::model! {
         /// A puck that nothing holds.

@@ -110,7 +110,7 @@ impl Checkpoint {
 mod tests {
     use super::*;
     use crate::integrate::Method;
-    use crate::testing::simulation;
+    use crate::simulate::simulation;
 
     crate::model! {
         /// A stone that falls.

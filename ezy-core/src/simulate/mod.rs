@@ -36,6 +36,8 @@ pub use several::sensitivity::{Sensitivities, Tangent};
 #[doc(hidden)]
 pub use several::together::{Alone, EndOfRun, WaitingRun, run_together};
 pub use simulation::Simulation;
+#[cfg(test)]
+pub(crate) use simulation::simulation;
 pub use stepper::Stepper;
 pub use stepping::singularity_crossing::SingularityCrossed;
 

@@ -381,3 +381,9 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
         self
     }
 }
+
+/// A run of any scene, so that unit tests do not compile the solver for each of fifty types.
+#[cfg(test)]
+pub(crate) fn simulation<'s>(scene: &'s (dyn crate::model::Scene + 's)) -> Simulation<'s, &'s dyn crate::model::Scene> {
+    Simulation::new(scene)
+}

@@ -17,8 +17,6 @@ mod report;
 mod series;
 mod solvers;
 mod steps;
-#[cfg(test)]
-mod unit_tests;
 
 use crate::dynamics::RankLoss;
 pub use report::{Check, CheckError, CheckReport};
@@ -28,8 +26,6 @@ use crate::dynamics::System;
 use crate::linalg::Backend;
 use crate::model::{ModelInfo, Scene};
 use probe::Probe;
-#[cfg(test)]
-pub(crate) use unit_tests::{simulation, system_of};
 
 /// Checks the equations of a scene by independent routes.
 ///

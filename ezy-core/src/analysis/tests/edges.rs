@@ -4,8 +4,8 @@ use crate::analysis::inverse_dynamics::InverseDynamics;
 use crate::analysis::linearization::null_space;
 use crate::analysis::{AnalysisError, Course, Frame, Rests, Spectrum, SteadyMotion};
 use crate::dynamics::State;
+use crate::dynamics::system_of;
 use crate::linalg::Backend;
-use crate::testing::system_of;
 use nalgebra::DMatrix;
 
 /// Of the three eigenvalues 2, 1 and x, the last one is zero below 1e-11 of the largest entry, 2.

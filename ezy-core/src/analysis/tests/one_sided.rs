@@ -2,8 +2,8 @@
 
 use crate::analysis::tolerances::continuation::SHORTEST;
 use crate::analysis::{AnalysisError, BifurcationDiagram, BranchEnd, Course, Linearization, Rests, SteadyMotion};
+use crate::dynamics::system_of;
 use crate::linalg::Backend;
-use crate::testing::system_of;
 
 crate::model! {
     /// A ball above a floor, or on a spring that lifts it.

@@ -1,9 +1,9 @@
 //! Modes as motions that are shown: what holds for every one of them, and closed forms.
 
 use crate::analysis::{Linearization, Mode, SteadyMotion, Swing};
+use crate::dynamics::system_of;
 use crate::linalg::Backend;
 use crate::model::Scene;
-use crate::testing::system_of;
 use std::f64::consts::TAU;
 
 crate::model! {

@@ -1,10 +1,11 @@
 //! Transfer functions against closed forms, and by second routes.
 
 use crate::analysis::{AnalysisError, Linearization, SteadyMotion, Transfer};
+use crate::dynamics::system_of;
 use crate::integrate::Method;
 use crate::linalg::Backend;
 use crate::model::Scene;
-use crate::testing::{simulation, system_of};
+use crate::simulate::simulation;
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -386,8 +386,8 @@ fn useful_degree(sizes: &[f64; N], length: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A puck on a spring: x'' = −k x.

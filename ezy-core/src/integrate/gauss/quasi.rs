@@ -191,12 +191,12 @@ impl QuasiSweeps {
 #[cfg(test)]
 mod tests {
     use crate::archive::Archive;
+    use crate::dynamics::system_of;
     use crate::dynamics::{Metric, Projection, State, System};
     use crate::integrate::gauss::{Collocated, Gauss};
     use crate::integrate::{Node, Tolerance};
     use crate::linalg::Backend;
     use crate::model::Scene;
-    use crate::testing::system_of;
 
     crate::model! {
         /// Two bodies on a skate each, hinged, with a torque between them: the roller racer.

@@ -94,8 +94,8 @@ impl ConditionWatch {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A puck in a guide that nearly follows a wall: slopes (1, 0, 0) and (1, 0, w φ).

@@ -71,8 +71,8 @@ impl EnergyWatch {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::linalg::Backend;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A stone of 2 kg that falls.

@@ -262,7 +262,7 @@ fn amplification(one: &Run, moved: &Run, by: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::model::Scene;
-    use crate::testing::simulation;
+    use crate::simulate::simulation;
 
     /// The second run has a thousandth of the tolerance, and where that is rounding another method; a third choice has ten times the tolerance.
     #[test]

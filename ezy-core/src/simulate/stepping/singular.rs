@@ -128,9 +128,9 @@ impl Approach<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::system_of;
     use crate::linalg::Backend;
     use crate::model::Scene;
-    use crate::testing::system_of;
 
     crate::model! {
         /// A puck in a guide that follows a wall at the angle Ω t of the puck: slopes (1, 0, 0) and (1, 0, w (φ − Ω t)).

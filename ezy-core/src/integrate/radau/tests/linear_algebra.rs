@@ -6,11 +6,11 @@ use super::super::newton::Newton;
 use super::super::stages::Stages;
 use super::super::tableau::{ALPHA, BETA, GAMMA, Triple};
 use super::free;
+use crate::dynamics::system_of;
 use crate::dynamics::{Jacobians, ResidualPlaces, State, System};
 use crate::integrate::family::Sizes;
 use crate::linalg::Backend;
 use crate::model::Scene;
-use crate::testing::system_of;
 use nalgebra::Complex;
 
 crate::model! {

@@ -4,11 +4,11 @@ use super::super::control::values_over_estimate;
 use super::super::tableau::{GAMMA, NODES, START_SLOPE, UNSEEN, UNSEEN_REMAINDER, through_nodes};
 use super::super::{Attempt, Radau};
 use super::free;
+use crate::dynamics::system_of;
 use crate::dynamics::{State, System};
 use crate::integrate::{Node, Tolerance};
 use crate::linalg::Backend;
 use crate::model::Scene;
-use crate::testing::system_of;
 
 const M: f64 = 4.0;
 

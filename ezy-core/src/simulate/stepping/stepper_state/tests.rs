@@ -1,10 +1,10 @@
 //! Steps next to a flat position of a parallelogram, and what is remembered of them.
 
 use super::*;
+use crate::dynamics::system_of;
 use crate::integrate::MethodKind;
 use crate::linalg::Backend;
 use crate::model::Scene;
-use crate::testing::system_of;
 
 crate::model! {
     /// A parallelogram without forces: it turns uniformly.

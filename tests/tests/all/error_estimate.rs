@@ -103,7 +103,7 @@ fn cross_estimates_of_runs_with_steps_as_long_are_not_too_small() {
     let given = [("link[3].y", 3.1319393763740626), ("link[4].omega", 2.242763693175838)];
     let given = given.map(|(name, value)| (name.into(), value));
     let until_s = 0.17759191702680352;
-    assert_told(&scene, &given, until_s, Method::dop853(4.1483465036629727e-4));
+    assert_told(&scene, &given, until_s, Method::dop853(4.1483465036629727e-4), 4);
 }
 
 /// Of three steps of an implicit method and of four: none of the explicit ones near rounding is asked, since it may be slow.
@@ -121,7 +121,7 @@ fn cross_estimates_of_implicit_runs_with_steps_as_long_are_not_too_small() {
     let given = [("car.x", 8.77519625320891e-1), ("car.vx", 1.123239847478455)];
     let given = given.map(|(name, value)| (name.into(), value));
     let (until_s, method) = (0.0022399822840725283, Method::radau(1.7357742320532432e-5));
-    assert_told(&scene, &given, until_s, method);
+    assert_told(&scene, &given, until_s, method, 4);
     let order = simulation(&scene).method(method).until(until_s).project_start().estimate_error();
     let run = given.iter().fold(order, |order, (name, value)| order.start(&**name, *value)).run().unwrap();
     assert_eq!(estimate(&run).second.name(), "radau");
@@ -131,7 +131,7 @@ fn cross_estimates_of_implicit_runs_with_steps_as_long_are_not_too_small() {
 #[test]
 fn cross_estimates_where_errors_of_both_runs_are_alike_are_not_too_small() {
     let scene = tethered::Circle::default();
-    assert_told(&scene, &[], 0.7154224131259377, Method::radau(1.4651924156278827e-5));
+    assert_told(&scene, &[], 0.7154224131259377, Method::radau(1.4651924156278827e-5), 4);
 }
 
 /// A tyre lets the car go within a tenth of the first step, and only that step is limited by the tolerance.
@@ -148,7 +148,7 @@ fn cross_estimates_of_two_steps_and_of_three_are_not_too_small() {
         ..Default::default()
     };
     let given = [("car.x".into(), 1.0)];
-    assert_told(&scene, &given, 0.0037895416133374034, Method::radau(7.209913076572496e-6));
+    assert_told(&scene, &given, 0.0037895416133374034, Method::radau(7.209913076572496e-6), 2);
 }
 
 /// A run that is off by a fiftieth of what its tolerance lets expect, and at the end by as much as one with a hundredth of its tolerance.
@@ -158,7 +158,7 @@ fn cross_estimates_of_a_first_run_that_is_lucky_are_not_too_small() {
         double_pendulum::Swing { l1: 1.7412131166858185, m1: 1.1303772172565618, g: 9.81, ..Default::default() };
     let given = [("lower.y", 6.882252518062537e-1), ("lower.vy", -5.586849728085332e-1)];
     let given = given.map(|(name, value)| (name.into(), value));
-    assert_told(&scene, &given, 5.147493568147084, Method::dop853(1.6756387502785654e-8));
+    assert_told(&scene, &given, 5.147493568147084, Method::dop853(1.6756387502785654e-8), 4);
 }
 
 model! {
@@ -182,12 +182,12 @@ fn invariant_estimates_of_decays_are_by_the_implicit_method() {
     }
 }
 
-/// No error is told by less than a fifth of it.
-fn assert_told(scene: &dyn Scene, given: &[(Name, f64)], until_s: f64, method: Method) {
+/// No error is told by less than a fifth of it, of at least so many above rounding.
+fn assert_told(scene: &dyn Scene, given: &[(Name, f64)], until_s: f64, method: Method, n_errors: usize) {
     let question = Question { scene, given, until_s, most_steps: 1_000, counts_rounding: false };
     let reference = Reference::of(&question).expect("a reference");
     let (judged, _) = reference.judge(&question, method).expect("a run");
-    assert!(judged.len() >= 2, "{judged:?}");
+    assert!(judged.len() >= n_errors, "{judged:?}");
     assert!(judged.iter().all(|judged| judged.ratio() >= 1.0 / FACTOR), "{judged:?}");
 }
 

@@ -169,7 +169,7 @@ fn record(
     if every_s > 0.0 {
         simulation = simulation.every(every_s);
     }
-    simulation.run_dyn().map_err(refused)
+    simulation.run().map_err(refused)
 }
 
 /// The page of an animation of a run of `scene` by `method`, with a frame for each sample: what the command `animate` writes.

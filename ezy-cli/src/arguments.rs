@@ -106,7 +106,7 @@ pub(super) struct RunArguments {
     pub out: Option<PathBuf>,
     /// Estimate the error of positions, velocities and multipliers, by a second and a third run on other cores
     ///
-    /// The second run keeps to a thousandth of the tolerance, or to 1e-12 by dop853 beside fixed steps; the difference, and what the second may be off by itself, is the error. The third one,
+    /// The second run keeps to a thousandth of the tolerance, or to 1e-13 by dop853 beside fixed steps; the difference, and what the second may be off by itself, is the error. The third one,
     /// from a start that is moved a little, shows how much the motion amplifies errors. The motion itself is the same. FILE.csv
     /// begins with a line `# estimated error …`.
     #[arg(long)]

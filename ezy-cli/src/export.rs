@@ -96,7 +96,7 @@ mod with_languages {
         if arguments.project_start {
             given = given.project_start();
         }
-        let run = given.run_dyn().map_err(refused)?;
+        let run = given.run().map_err(refused)?;
         let start = run.last();
         let start = Start { t: start.t, q: start.coordinates, v: start.velocities };
         if let Some(language) = language(arguments.to) {

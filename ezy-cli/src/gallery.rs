@@ -72,6 +72,6 @@ fn item(model: &ModelInfo, name: &str, links: &str) -> String {
 
 fn sketch(entry: &SceneEntry) -> Result<String, Failure> {
     let scene = (entry.new)();
-    let run = Simulation::new(scene.as_ref()).until(0.0).run_dyn().map_err(refused)?;
+    let run = Simulation::new(scene.as_ref()).until(0.0).run().map_err(refused)?;
     Ok(drawing::sketch_within(scene.as_ref(), &run.last(), LARGEST))
 }

@@ -156,6 +156,6 @@ mod with_analysis {
             n_between = (every_s.min(until_s) * N_SAMPLES / until_s).ceil().max(1.0) as usize;
             simulation = simulation.every(every_s / n_between as f64);
         }
-        Ok((simulation.run_dyn().map_err(refused)?, n_between))
+        Ok((simulation.run().map_err(refused)?, n_between))
     }
 }

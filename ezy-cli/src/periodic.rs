@@ -84,7 +84,7 @@ mod with_analysis {
             simulation = simulation.start(name, *value);
         }
         let until_s = times.last().copied().unwrap_or_default();
-        let run = simulation.until(until_s).at(times.iter().copied()).project_start().run_dyn().map_err(refused)?;
+        let run = simulation.until(until_s).at(times.iter().copied()).project_start().run().map_err(refused)?;
         if run.samples().len() < times.len() {
             return Err(Failure::stopped(format!("a run of {until_s} s, the period that was tried, {}", run.outcome)));
         }

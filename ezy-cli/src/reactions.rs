@@ -86,7 +86,7 @@ fn simulate(
     if let Some(every_s) = arguments.every.or((until_s > 0.0).then_some(until_s / N_INTERVALS)) {
         first = first.every(every_s);
     }
-    let run = first.run_dyn().map_err(refused)?;
+    let run = first.run().map_err(refused)?;
     let samples: Vec<_> = run.samples().collect();
     let (mut reactions, mut elements) = (Reactions::of(&samples), ElementFlows::of(scene, &samples));
     if run.outcome.reached_end() {
@@ -96,7 +96,7 @@ fn simulate(
         times.sort_by(f64::total_cmp);
         times.dedup();
         let near = simulation(&arguments.motion, scene, method)?.work().power().at(times);
-        let near = near.interrupted_by(interruption.flag()).run_dyn().map_err(refused)?;
+        let near = near.interrupted_by(interruption.flag()).run().map_err(refused)?;
         // of an interrupted one the samples would lack largest values
         if near.outcome.reached_end() {
             let samples: Vec<_> = near.samples().collect();

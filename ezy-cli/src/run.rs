@@ -112,7 +112,7 @@ fn simulate(
     }
     // a start that cannot be assembled is refused by the run
     let free = simulation.free_start_values().unwrap_or_default();
-    let run = simulation.run_dyn().map_err(refused)?;
+    let run = simulation.run().map_err(refused)?;
     let written = out.map_or(Ok(()), |out| out.complete(run.error_estimate.as_ref()));
     Ok((run, free, written))
 }

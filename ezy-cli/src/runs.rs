@@ -48,7 +48,7 @@ impl Runs<'_> {
             if let Some(every_s) = self.every.or((until_s > 0.0).then_some(until_s / N_INTERVALS)) {
                 simulation = simulation.every(every_s);
             }
-            let run = simulation.run_dyn().map_err(refused)?;
+            let run = simulation.run().map_err(refused)?;
             let name = match (self.n_scenes, label.is_empty()) {
                 (1, true) => scene_path.clone(),
                 (1, false) => label,

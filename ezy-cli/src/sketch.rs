@@ -25,7 +25,7 @@ pub(super) fn sketch(models: Models<'_>, arguments: &SketchArguments) -> Result<
     check_ending(&path, "sketches", &["svg"])?;
     let simulation = Simulation::new(scene.as_ref()).until(arguments.at);
     let given = arguments.start.iter().fold(simulation, |run, start| run.start(&start.name, start.value));
-    let run = given.run_dyn().map_err(refused)?;
+    let run = given.run().map_err(refused)?;
     write(&path, drawing::sketch(scene.as_ref(), &run.last()))?;
     print(&format!("The sketch: {}\n", path.display()))?;
     match run.outcome.reached_end() {

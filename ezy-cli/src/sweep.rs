@@ -162,7 +162,7 @@ impl Runs<'_> {
                 Target::Parameter(_) | Target::Count(_) | Target::Setting => {}
             }
         }
-        Ok(case.run_dyn(simulation)?)
+        Ok(case.run(simulation)?)
     }
 
     fn set(&self, arguments: &mut MotionArguments, name: &str, value: Value<'_>) -> Result<(), Failure> {

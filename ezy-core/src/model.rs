@@ -278,7 +278,7 @@ pub struct EliminationStep {
 ///
 /// `model!` generates the types that implement it. A scene written by hand implements [`Equations<f64>`](Equations), this trait,
 /// and [`Derived`] with an empty block: then it runs with `rk4`, `dop853` and the solvers of `linalg`.
-pub trait Scene: Derived {
+pub trait Scene: Derived + AsDynScene {
     /// Names, sizes and equations; for a scene with counts, those of the present counts. Their description is freed when
     /// nobody holds it and the scene was asked for that of other counts. A scene written by hand keeps its own in a
     /// `static` [`LazyLock`](std::sync::LazyLock).
@@ -311,6 +311,18 @@ pub trait Scene: Derived {
 
     /// Positions of the named points, x then y of each. Writes `2 n_p`.
     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]);
+}
+
+/// A scene of any type as one behind its trait; every scene has it by itself.
+pub trait AsDynScene {
+    /// This scene.
+    fn as_dyn(&self) -> &dyn Scene;
+}
+
+impl<S: Scene> AsDynScene for S {
+    fn as_dyn(&self) -> &dyn Scene {
+        self
+    }
 }
 
 /// A scene that is borrowed or shared: `&S`, `Arc<S>`, `Arc<dyn Scene>`, `Rc<S>`. What holds an `Arc` lives as long as it likes.

@@ -15,32 +15,13 @@ use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, State, System};
 use crate::integrate::Clock;
 use crate::memory;
-use crate::model::{Name, Scene, SceneInfo, SceneRef, Start};
+use crate::model::{AsDynScene as _, Name, Scene, SceneInfo, SceneRef, Start};
 use crate::record::input_index;
 
-impl<'s> Simulation<'s, &'s (dyn Scene + 's)> {
-    /// [`Simulation::run`] for a scene behind its trait: compiled with this crate, so that a caller is as fast when it is not optimised.
-    ///
-    /// # Errors
-    /// Those of [`Simulation::run`].
-    pub fn run_dyn(self) -> Result<Run, SetupError> {
-        self.run()
-    }
-}
-
-impl<'s, P: SceneRef> Simulation<'s, P> {
-    /// Runs.
-    ///
-    /// # Errors
-    /// [`SetupError`] when the run cannot start. A run that stops on the way is not an error: [`Run::outcome`] says
-    /// so, and everything up to there is kept.
-    pub fn run(self) -> Result<Run, SetupError> {
-        if self.settings.estimated { estimated_run::run(self) } else { self.run_once() }
-    }
-
+impl Simulation<'_, &dyn Scene> {
     /// Runs without an estimate of the error.
     pub(super) fn run_once(mut self) -> Result<Run, SetupError> {
-        let mut system = self.settings.solver.system(self.scene.clone())?;
+        let mut system = self.settings.solver.system(self.scene)?;
         let start = self.settings.start.of_scene(&system)?;
         let control = self.take_control(start.t, &mut system)?;
         let schedule = self.schedule(start.t, control.is_idle())?;
@@ -64,6 +45,20 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
         let plan = Plan { schedule, sampling, recorder, caller, events };
         RunLoop::new(stepper, modes, control, plan, watch)?.run(moved)
     }
+}
+
+impl<'s, P: SceneRef> Simulation<'s, P> {
+    /// Runs.
+    ///
+    /// # Errors
+    /// [`SetupError`] when the run cannot start. A run that stops on the way is not an error: [`Run::outcome`] says
+    /// so, and everything up to there is kept.
+    pub fn run(self) -> Result<Run, SetupError> {
+        let Self { scene, settings, hooks } = self;
+        // behind its trait, so that the loop is compiled with this crate, once
+        let simulation = Simulation { scene: scene.as_dyn(), settings, hooks };
+        if simulation.settings.estimated { estimated_run::run(simulation) } else { simulation.run_once() }
+    }
 
     /// Names of the start values that nobody gave and that the constraints leave free: the assembly begins with 0, and changes them as
     /// little as it can. Velocities are named where one is given that is not 0; otherwise the scene starts at rest.
@@ -71,7 +66,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// # Errors
     /// [`SetupError`] when the start cannot be assembled.
     pub fn free_start_values(&self) -> Result<Vec<Name>, SetupError> {
-        self.settings.free_start_values(self.scene.clone())
+        self.settings.free_start_values(self.scene.as_dyn())
     }
 
     /// The scene with its constant inputs and its start, for what is no run.
@@ -166,7 +161,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
 }
 
 impl Settings {
-    fn free_start_values<P: SceneRef>(&self, scene: P) -> Result<Vec<Name>, SetupError> {
+    fn free_start_values(&self, scene: &dyn Scene) -> Result<Vec<Name>, SetupError> {
         let (mut system, start, state) = self.assembled(scene)?;
         Ok(system.assembly().free_values(&start, &state))
     }

@@ -317,7 +317,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// Estimates the error that the run reaches, by a second and a third run beside it on other cores ([`Run::error_estimate`]). Then
     /// samples are kept also where they are streamed.
     ///
-    /// The second run keeps to a thousandth of the tolerance, or to 1e-12 by dop853 beside fixed steps: the difference, and what the second may be off by itself, is the error. The third one shows by
+    /// The second run keeps to a thousandth of the tolerance, or to 1e-13 by dop853 beside fixed steps: the difference, and what the second may be off by itself, is the error. The third one shows by
     /// a start that is moved a little how much the motion amplifies errors. The run itself is the same to the last bit.
     ///
     /// ```

@@ -75,14 +75,14 @@ impl<'s> Runs<'s> {
 
     /// A run that keeps its two ends.
     pub(super) fn bare(&self, method: Method, variant: Variant) -> Result<Run, NoRun> {
-        finished(self.simulation(method, variant).run_dyn())
+        finished(self.simulation(method, variant).run())
     }
 
     /// A run with a sample at every time of the grid, and works; it ends when the processor time is past
     /// `until`.
     pub(super) fn on_grid(&self, method: Method, variant: Variant, until: Duration) -> Result<Run, NoRun> {
         let mut deadline = Deadline(until);
-        finished(self.simulation(method, variant).every(self.every_s).work().record_to(&mut deadline).run_dyn())
+        finished(self.simulation(method, variant).every(self.every_s).work().record_to(&mut deadline).run())
     }
 }
 

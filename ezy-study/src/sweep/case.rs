@@ -74,17 +74,6 @@ impl<'a> Case<'a> {
         &self.values
     }
 
-    /// [`Case::run`] of a scene behind its trait: compiled with this crate, so that a caller is as fast when it is not optimised.
-    ///
-    /// # Errors
-    /// Those of [`Case::run`].
-    pub fn run_dyn<'s>(&self, simulation: Simulation<'s, &'s (dyn Scene + 's)>) -> Result<Finished, SetupError>
-    where
-        'a: 's,
-    {
-        self.run_by(simulation, |simulation| simulation.waiting_dyn(), Simulation::run_dyn)
-    }
-
     /// Runs `simulation` with what the sweep keeps, and keeps that.
     ///
     /// # Errors
@@ -93,23 +82,11 @@ impl<'a> Case<'a> {
     where
         'a: 's,
     {
-        self.run_by(simulation, |simulation| simulation.waiting(), Simulation::run)
-    }
-
-    fn run_by<'s, P: SceneRef>(
-        &self,
-        simulation: Simulation<'s, P>,
-        waiting: impl FnOnce(&Simulation<'s, P>) -> Result<WaitingRun, Alone>,
-        run: impl FnOnce(Simulation<'s, P>) -> Result<Run, SetupError>,
-    ) -> Result<Finished, SetupError>
-    where
-        'a: 's,
-    {
         let scene = simulation.scene().clone();
         if let Some((info, left)) = self.left {
             let of = scene.info();
             let is_same = of.identity() == info.identity();
-            *left.borrow_mut() = if is_same { waiting(&simulation) } else { Err("it is of another scene") };
+            *left.borrow_mut() = if is_same { simulation.waiting() } else { Err("it is of another scene") };
             if left.borrow().is_ok() {
                 return Ok(Finished::under_way());
             }
@@ -127,7 +104,7 @@ impl<'a> Case<'a> {
         if self.reader.needs_samples {
             simulation = simulation.sampled(self.every_s, N_SAMPLES);
         }
-        let run = run(simulation)?;
+        let run = simulation.run()?;
         let (outcome, message) = match &run.outcome {
             Outcome::ReachedEnd => (Ended::ReachedEnd, String::new()),
             Outcome::ReachedEvent { name, .. } => (Ended::ReachedEvent(name), String::new()),

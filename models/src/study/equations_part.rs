@@ -64,7 +64,7 @@ pub fn write(page: &mut Page, output: &Output, scene: &Driven) -> Result<(), Stu
 }
 
 fn sketch(page: &mut Page, output: &Output, scene: &dyn Scene) -> Result<(), StudyError> {
-    let run = Simulation::new(scene).start("bar.phi", SKETCHED_ANGLE).until(0.0).run_dyn()?;
+    let run = Simulation::new(scene).start("bar.phi", SKETCHED_ANGLE).until(0.0).run()?;
     let wide = drawing::sketch(scene, &run.last());
     output.write("vehicle.svg", &wide)?;
     let narrow = drawing::sketch_within(scene, &run.last(), TELEPHONE);

@@ -29,7 +29,7 @@ impl<'s> Motion<'s> {
         interrupt: &AtomicBool,
     ) -> Result<Self, StudyError> {
         let simulation = Simulation::new(scene).method(Method::rk4(step_s)).until(until_s).every(every_s).work();
-        Self::finished(scene, simulation.interrupted_by(interrupt).run_dyn()?)
+        Self::finished(scene, simulation.interrupted_by(interrupt).run()?)
     }
 
     /// Takes a run that was made elsewhere.

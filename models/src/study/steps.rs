@@ -61,7 +61,7 @@ impl Steps {
             let until = coast.info().until_s;
             coast_ends.push(Motion::new(&coast, h, until, until, interrupt)?.run.last().coordinates.to_vec());
             let free = Simulation::new(driven as &dyn Scene).method(Method::rk4(h));
-            let free = free.project(Projection::None).every(1.0).run_dyn()?;
+            let free = free.project(Projection::None).every(1.0).run()?;
             let free = Motion::finished(driven, free)?;
             drift.push(largest(free.run.samples().map(|s| s.position_residual)));
         }

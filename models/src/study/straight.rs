@@ -93,7 +93,7 @@ fn growth(scene: &dyn Scene, interrupt: &AtomicBool) -> Result<f64, StudyError> 
     let [first, last] = MEASURED_S;
     let simulation = Simulation::new(scene).start("bar.phi", SMALL_ANGLE).method(Method::dop853(TOLERANCE));
     let simulation = simulation.until(last).every(last - first).interrupted_by(interrupt);
-    let motion = Motion::finished(scene, simulation.run_dyn()?)?;
+    let motion = Motion::finished(scene, simulation.run()?)?;
     let angle = motion.seat_less_bar("phi")?;
     let n = angle.len();
     Ok((angle[n - 1] / angle[n - 2]).abs().ln() / (last - first))

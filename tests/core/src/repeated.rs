@@ -29,13 +29,13 @@ pub const COLUMNS: [&str; 5] = ["right side", "step of RK4", "Taylor, order 12",
 /// # Errors
 /// Those of the runs and steps.
 pub fn repeat(scene: &dyn Scene, column: usize, n: u64) -> Result<bool, Box<dyn Error>> {
-    let run = |until_s: f64| simulation(scene).method(Method::rk4(STEP_S)).until(until_s).run_dyn();
+    let run = |until_s: f64| simulation(scene).method(Method::rk4(STEP_S)).until(until_s).run();
     if column == 1 {
         run(STEP_S * n as f64)?;
         return Ok(true);
     }
     if column == 4 {
-        simulation(scene).method(Method::gauss(RTOL)).until(PART_S * n as f64).run_dyn()?;
+        simulation(scene).method(Method::gauss(RTOL)).until(PART_S * n as f64).run()?;
         return Ok(true);
     }
     let at = run(AT_S)?;

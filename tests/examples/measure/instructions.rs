@@ -3,7 +3,7 @@
 //! Something is done n times and 2n times, and the difference counts, so that start and end of a program cancel.
 
 use clap::Args;
-use ezy_core::model::Scene;
+use ezy_core::model::{ModelInfo, Scene};
 use ezy_core_tests::plain_rollers::{coasting, drifting, pumped};
 use ezy_core_tests::repeated::{COLUMNS, repeat};
 use ezy_models::{double_pendulum, ezy_roller, slider_crank};
@@ -16,24 +16,24 @@ use super::Outcome;
 /// Long enough that a few instructions more in a start are less than one of what is counted.
 const N: u64 = 2000;
 
-type New = fn() -> Box<dyn Scene>;
-
-fn new<S: Scene + Default + 'static>() -> Box<dyn Scene> {
-    Box::<S>::default()
-}
-
-/// Scene, model, and what makes it.
-const SCENES: [(&str, &str, New); 9] = [
-    ("coast", "EzyRoller", new::<ezy_roller::Coast>),
-    ("driven", "EzyRoller", new::<ezy_roller::Driven>),
-    ("driven_on_tarmac", "EzyRoller", new::<ezy_roller::DrivenOnTarmac>),
-    ("drift", "EzyRoller", new::<ezy_roller::Drift>),
-    ("coast", "without effects", new::<coasting::Coast>),
-    ("driven", "with the torque alone", new::<pumped::Driven>),
-    ("drift", "with a tyre in place of the skate", new::<drifting::Drift>),
-    ("swing", "DoublePendulum", new::<double_pendulum::Swing>),
-    ("pushed", "SliderCrank", new::<slider_crank::Pushed>),
+/// Model, scene, and what the table calls the model. Scenes are made in the crates of their models, and their kernels compiled there.
+const SCENES: [(&ModelInfo, &str, &str); 9] = [
+    (&ezy_roller::MODEL, "coast", "EzyRoller"),
+    (&ezy_roller::MODEL, "driven", "EzyRoller"),
+    (&ezy_roller::MODEL, "driven_on_tarmac", "EzyRoller"),
+    (&ezy_roller::MODEL, "drift", "EzyRoller"),
+    (&coasting::MODEL, "coast", "without effects"),
+    (&pumped::MODEL, "driven", "with the torque alone"),
+    (&drifting::MODEL, "drift", "with a tyre in place of the skate"),
+    (&double_pendulum::MODEL, "swing", "DoublePendulum"),
+    (&slider_crank::MODEL, "pushed", "SliderCrank"),
 ];
+
+/// Makes the scene.
+fn made(model: &ModelInfo, scene: &str) -> Result<Box<dyn Scene>, Box<dyn Error>> {
+    let entry = model.scenes.iter().find(|entry| entry.name == scene);
+    Ok((entry.ok_or_else(|| format!("{} has no scene {scene}", model.name))?.new)())
+}
 
 /// Counts machine instructions of scenes with valgrind, where that is installed
 #[derive(Debug, Args)]
@@ -55,8 +55,8 @@ pub(crate) struct Counted {
 }
 
 pub(crate) fn repeat_scene(counted: &Counted) -> Outcome {
-    let (_, _, new) = SCENES.get(counted.scene).ok_or("there is no such scene")?;
-    repeat(&*new(), counted.column, counted.n).map(|_| ())
+    let (model, scene, _) = SCENES.get(counted.scene).ok_or("there is no such scene")?;
+    repeat(&*made(model, scene)?, counted.column, counted.n).map(|_| ())
 }
 
 pub(crate) fn run(asked: &Asked) -> Outcome {
@@ -65,12 +65,13 @@ pub(crate) fn run(asked: &Asked) -> Outcome {
         return Ok(());
     }
     let mut table = CountTable::new(surroundings(), &COLUMNS);
-    for (i, (scene, model, new)) in SCENES.iter().enumerate() {
+    for (i, (model, scene, called)) in SCENES.iter().enumerate() {
+        let made = made(model, scene)?;
         let mut counts = Vec::new();
         for column in 0..COLUMNS.len() {
-            counts.push(if repeat(&*new(), column, 1)? { Some(count(i, column)?) } else { None });
+            counts.push(if repeat(&*made, column, 1)? { Some(count(i, column)?) } else { None });
         }
-        table.push(&format!("`{scene}`, {model}"), counts);
+        table.push(&format!("`{scene}`, {called}"), counts);
     }
     print!("{table}");
     if asked.write {

@@ -46,7 +46,7 @@ pub(crate) fn repeat(&Counted { which, n }: &Counted) -> Outcome {
     if which.is_multiple_of(2) {
         order.stepper()?.step(n)?;
     } else {
-        order.run_dyn()?;
+        order.run()?;
     }
     Ok(())
 }
@@ -76,7 +76,7 @@ const SHORT_S: f64 = 1e-4;
 /// Largest error of the coordinates after a long run with both projections, against Taylor's method at 1e-15.
 fn error<S: Scene + Default>(compensated: bool) -> Result<f64, Box<dyn Error>> {
     let scene = S::default();
-    let run = |method| simulation(&scene).method(method).until(LONG as f64 * SHORT_S).run_dyn();
+    let run = |method| simulation(&scene).method(method).until(LONG as f64 * SHORT_S).run();
     let end = if compensated {
         run(Method::rk4(SHORT_S))?.last().coordinates.to_vec()
     } else {

@@ -16,7 +16,7 @@ type Roller = ezy_roller::Driven;
 #[test]
 fn invariant_more_than_eight_runs_or_others_do_not_step_together() {
     let (driven, coast) = (Roller::default(), ezy_roller::Coast::default());
-    let waiting = |scene| simulation(scene).method(Method::dop853(1e-6)).until(0.1).waiting_dyn().unwrap();
+    let waiting = |scene| simulation(scene).method(Method::dop853(1e-6)).until(0.1).waiting().unwrap();
     let runs = vec![waiting(&driven); 9];
     assert_eq!(run_together(&driven, &runs[..8], &[]).unwrap().len(), 8);
     assert!(run_together(&driven, &runs, &[]).is_err());

@@ -8,7 +8,7 @@
 use crate::dynamics::State;
 use crate::integrate::second_run::{ROUNDING, TIGHTER};
 use crate::integrate::{Method, MethodKind, Tolerance};
-use crate::model::{SceneRef, Start};
+use crate::model::{Scene, Start};
 use crate::record::Sample;
 use crate::scalar::GOLDEN_RATIO;
 use crate::simulate::error_estimate::{ErrorEstimate, NoErrorEstimate, QuantityError};
@@ -23,13 +23,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, ScopedJoinHandle};
 
 /// Runs, and estimates the error.
-pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Result<Run, SetupError> {
+pub(in crate::simulate) fn run(simulation: Simulation<'_, &dyn Scene>) -> Result<Run, SetupError> {
     if simulation.hooks.law.is_some() {
         return Err(SetupError::ControlledOnce);
     }
     let Simulation { scene, settings, hooks } = simulation;
-    // threads share the scene, not what holds it
-    let scene = &*scene;
     let ended_early = AtomicBool::new(false);
     let interrupts: Vec<&AtomicBool> = hooks.caller.interrupts.iter().copied().chain([&ended_early]).collect();
     let of_others = Settings {
@@ -47,7 +45,7 @@ pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Re
         finished(Simulation { scene, settings, hooks }.run_once())
     };
     let first_finished = |methods: &[Method], run: &dyn Fn(Method) -> Result<Run, String>| {
-        let mut why = String::new();
+        let mut why = "was not made".to_owned();
         for &method in methods {
             match run(method) {
                 Ok(run) => return Ok((method, run)),
@@ -141,14 +139,16 @@ fn seconds(method: Method) -> Vec<Method> {
     let Some(tolerance) = method.tolerance() else {
         // half the step may sample a fast force as seldom
         let half = method.step_s().and_then(|step_s| kind.with_step(0.5 * step_s));
-        return [Method::dop853(LOOSER * ROUNDING)].into_iter().chain(half).collect();
+        return [Method::dop853(ROUNDING)].into_iter().chain(half).collect();
     };
     let relative = tolerance.relative;
     let with = |other: f64| tolerance.with_relative(other);
-    let tighter = with(Tolerance::SMALLEST_RELATIVE.max(info.tighter * relative));
+    let is_rounding = relative < info.rounding;
+    let floor = if is_rounding { 0.0 } else { method.iteration_floor() }.max(Tolerance::SMALLEST_RELATIVE);
+    let tighter = with(floor.max(info.tighter * relative));
     let looser = with(LARGEST_TOLERANCE.min(LOOSER * relative));
     let other = if kind == MethodKind::Dop853 { MethodKind::Taylor } else { MethodKind::Dop853 };
-    let first = if relative < info.rounding { other } else { kind };
+    let first = if is_rounding { other } else { kind };
     [first.with_tolerance(tighter), kind.with_tolerance(looser)].into_iter().flatten().collect()
 }
 
@@ -267,7 +267,7 @@ mod tests {
     /// The second run has a thousandth of the tolerance, and where that is rounding another method; a third choice has ten times the tolerance.
     #[test]
     fn analytic_tolerances_of_second_runs() {
-        assert_eq!(seconds(Method::rk4(0.01)), [Method::dop853(LOOSER * ROUNDING), Method::rk4(0.005)]);
+        assert_eq!(seconds(Method::rk4(0.01)), [Method::dop853(ROUNDING), Method::rk4(0.005)]);
         let relative_of = |method: Method| {
             let of_seconds = seconds(method).into_iter().map(|method| {
                 let Tolerance { relative, absolute, .. } = method.tolerance().unwrap();
@@ -282,7 +282,7 @@ mod tests {
         assert_eq!(relative_of(Method::dop853(2e-13))[0].0, "dop853");
         assert_eq!(relative_of(Method::dop853(0.5e-13)), [("taylor", 1e-15), ("dop853", 0.5e-13 * 10.0)]);
         assert_eq!(relative_of(Method::taylor(0.5e-13))[0], ("dop853", 1e-15));
-        assert_eq!(relative_of(Method::radau(2e-11))[0].0, "radau");
+        assert_eq!(relative_of(Method::radau(2e-11))[0], ("radau", Method::radau(2e-11).iteration_floor()));
         assert_eq!(relative_of(Method::radau(0.5e-11))[0].0, "dop853");
         assert_eq!(relative_of(Method::radau(0.5))[1], ("radau", 1.0));
         let with = Method::default().with_tolerance(Tolerance::new(1e-6, 1e-3));

@@ -4,7 +4,7 @@ use super::trajectory::Trajectory;
 use crate::dynamics::{InLanes, Metric, Projection, Rows, State, System, SystemOf};
 use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::linalg::Backend;
-use crate::model::{Derived as _, Eight, EventKind, N_LANES, Scene, SceneRef};
+use crate::model::{AsDynScene as _, Derived as _, Eight, EventKind, N_LANES, Scene, SceneRef};
 use crate::record::Wanted;
 use crate::scalar::packed;
 use crate::simulate::recording::sampler::Sampler;
@@ -44,16 +44,6 @@ pub struct EndOfRun {
 /// Why a run steps by itself.
 pub type Alone = &'static str;
 
-impl<'s> Simulation<'s, &'s (dyn Scene + 's)> {
-    /// [`Simulation::waiting`] for a scene behind its trait: compiled with this crate, so that a caller is as fast when it is not optimised.
-    ///
-    /// # Errors
-    /// Those of [`Simulation::waiting`].
-    pub fn waiting_dyn(&self) -> Result<WaitingRun, Alone> {
-        self.waiting()
-    }
-}
-
 impl<P: SceneRef> Simulation<'_, P> {
     /// The run as one that waits for others.
     ///
@@ -88,7 +78,7 @@ impl<P: SceneRef> Simulation<'_, P> {
             return Err(reason);
         }
         crate::simulate::checked::check_tolerance(tolerance).map_err(|_| CANNOT_START)?;
-        let (system, _, start) = settings.assembled(self.scene.clone()).map_err(|_| CANNOT_START)?;
+        let (system, _, start) = settings.assembled(self.scene.as_dyn()).map_err(|_| CANNOT_START)?;
         if !system.uses_elimination() {
             return Err(WITHOUT_ELIMINATION);
         }

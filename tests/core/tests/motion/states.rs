@@ -5,7 +5,7 @@ use ezy_core::integrate::{PreciseError, PreciseMotion};
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_core::testing::{GivenSteps, StepsBy};
-use ezy_core_tests::simulation;
+use ezy_core_tests::{simulation, system_of};
 
 model! {
     /// A motor with armature current that turns a wheel against friction, and what becomes of the energy that it takes.
@@ -106,7 +106,7 @@ fn order_of_first_order_states_is_that_of_the_method() {
         (StepsBy::Taylor(9), 12, 9.0),
     ] {
         let error = |n: u32| {
-            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let mut system = system_of(&scene, Backend::Auto).unwrap();
             let start = system.scene_start();
             let start = system.consistent_start(&start).unwrap();
             let mut steps = GivenSteps::new(system, start, by).unwrap();
@@ -237,7 +237,7 @@ fn invariant_stepper_with_states_goes_on_to_the_last_bit() {
 fn cross_ensembles_and_derivatives_integrate_states() {
     let scene = cruise::Cruises::default();
     let start = |integral: f64| {
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = system_of(&scene, Backend::Auto).unwrap();
         let mut start = system.scene_start();
         start.give_state(&system.info().clone(), 0, integral);
         system.consistent_start(&start).unwrap()
@@ -253,7 +253,7 @@ fn cross_ensembles_and_derivatives_integrate_states() {
             assert!((x - y).abs() <= BOUNDS[0], "{lane}: {x} {y}");
         }
     }
-    let system = System::new(&scene, Backend::Auto).unwrap();
+    let system = system_of(&scene, Backend::Auto).unwrap();
     let mut run = Sensitivities::new(&scene, &system.scene_start(), ["integral"], Method::dop853(1e-11)).unwrap();
     run.advance(2.0).unwrap();
     let [tangent] = run.tangents();
@@ -271,7 +271,7 @@ fn invariant_methods_without_states_are_refused_by_name() {
     assert!(matches!(error, SetupError::FirstOrderStates { .. }), "{error}");
     let text = error.to_string();
     assert!(text.contains(method.name()) && text.contains("use dop853, radau, rk4 or midpoint"), "{text}");
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let mut start = system.scene_start();
     start.z.push(7.0);
     let error = system.consistent_start(&start).unwrap_err();
@@ -358,7 +358,7 @@ fn cross_taylor_and_dop853_integrate_states_alike() {
     let scene = entangled::Swings::default();
     let run = |method, backend| simulation(&scene).method(method).backend(backend).every(0.1).work().run().unwrap();
     let reference = run(Method::dop853(1e-13), Backend::Auto);
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let start = system.consistent_start(&start).unwrap();
     let mut precise = PreciseMotion::new(&scene, &start).unwrap();
@@ -430,6 +430,6 @@ fn invariant_state_that_is_no_number_ends_a_run() {
         assert!(!run.outcome.reached_end() && run.last().t < 1.2, "{method:?}: {text}");
         assert!(run.last().states[0].is_finite(), "{method:?}");
     }
-    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-2)).stepper().unwrap();
+    let mut stepper = simulation(&scene).method(Method::rk4(1e-2)).stepper().unwrap();
     assert!(stepper.step(300).unwrap_err().to_string().contains("size"));
 }

@@ -38,6 +38,8 @@ pub(super) struct Plan {
     pub joints: Vec<Joint>,
     /// Later joints of each one, ascending, whose blocks are not zero.
     pub later: Vec<Vec<usize>>,
+    /// How many joints each two paths from loose ends have. They come first: those of one path and of the other by turns.
+    pub paths: Vec<usize>,
 }
 
 impl Plan {
@@ -65,8 +67,31 @@ impl Plan {
         }
         let (order, later) = plan?;
         let mut all: Vec<Option<Joint>> = joints.into_iter().map(Some).collect();
+        let joints: Vec<Joint> = order.iter().filter_map(|&k| all[k].take()).collect();
+        Some(Self::paths_first(joints, &later))
+    }
+
+    /// Two paths of about the same length, and again two, until all are taken.
+    fn paths_first(joints: Vec<Joint>, later: &[Vec<usize>]) -> Self {
+        let mut paths = paths(&joints, later);
+        paths.sort_by_key(|path| std::cmp::Reverse(path.len()));
+        let by_turns =
+            |[one, other]: &[Vec<usize>; 2]| one.iter().zip(other).map(|(a, b)| [*a, *b]).collect::<Vec<_>>();
+        let paths: Vec<Vec<[usize; 2]>> = paths.as_chunks::<2>().0.iter().map(by_turns).collect();
+        let mut order: Vec<usize> = paths.iter().flatten().flatten().copied().collect();
+        let mut is_placed = vec![false; joints.len()];
+        order.iter().for_each(|&k| is_placed[k] = true);
+        order.extend((0..joints.len()).filter(|&k| !is_placed[k]));
+        let position = positions(&order);
+        let moved = |list: &Vec<usize>| {
+            let mut list: Vec<usize> = list.iter().map(|&k| position[k]).collect();
+            list.sort_unstable();
+            list
+        };
+        let later = order.iter().map(|&k| moved(&later[k])).collect();
+        let mut all: Vec<Option<Joint>> = joints.into_iter().map(Some).collect();
         let joints = order.iter().filter_map(|&k| all[k].take()).collect();
-        Some(Self { joints, later })
+        Self { joints, later, paths: paths.iter().map(Vec::len).collect() }
     }
 }
 
@@ -121,6 +146,23 @@ fn inwards(joints: &[Joint], of_body: &[Vec<usize>]) -> Vec<usize> {
     }
     outwards.reverse();
     outwards
+}
+
+/// From each joint that none comes before, those that have the one before alone, and one behind with which they share one body. All joints of a path have as
+/// many rows as any joint has.
+fn paths(joints: &[Joint], later: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let n_rows = joints.iter().map(|joint| joint.n_rows).max();
+    let mut n_before = vec![0; joints.len()];
+    later.iter().flatten().for_each(|&k| n_before[k] += 1);
+    let next = |k: usize| match later[k][..] {
+        [next] if joints[k].bodies.iter().filter(|&&body| joints[next].side_of(body).is_some()).count() == 1 => {
+            Some(next)
+        }
+        _ => None,
+    };
+    let is_in = |k: usize, n: usize| n_before[k] == n && Some(joints[k].n_rows) == n_rows && next(k).is_some();
+    let path = |first: usize| std::iter::successors(Some(first), |&k| next(k).filter(|&next| is_in(next, 1)));
+    (0..joints.len()).filter(|&k| is_in(k, 0)).map(|first| path(first).collect()).collect()
 }
 
 /// Joints that share a body with one; some more than once.

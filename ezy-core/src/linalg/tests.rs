@@ -92,6 +92,10 @@ fn mechanisms() -> Vec<Vec<(usize, Vec<usize>)>> {
     vec![
         vec![(2, vec![0])],
         (0..9).map(|i| (2, if i == 0 { vec![0] } else { vec![i - 1, i] })).collect(),
+        // loose at both ends, and numbered inwards
+        (0..8).map(|i| (2, vec![i, i + 1])).collect(),
+        vec![(2, vec![0, 2]), (2, vec![2, 4]), (2, vec![4, 5]), (2, vec![3, 5]), (2, vec![1, 3]), (2, vec![1])],
+        legs(&[5, 4, 4, 2, 1, 1]),
         vec![(2, vec![0, 3]), (3, vec![1, 3]), (1, vec![3, 2]), (1, vec![2]), (2, vec![2, 4]), (2, vec![4, 5])],
         vec![(2, vec![0]), (2, vec![0, 1]), (2, vec![1, 2]), (2, vec![2]), (1, vec![5, 6])],
         // two joints between the same bodies, which are not one behind the other
@@ -102,6 +106,16 @@ fn mechanisms() -> Vec<Vec<(usize, Vec<usize>)>> {
         vec![(2, vec![0, 1]), (2, vec![1, 2]), (2, vec![0, 1])],
         net(4),
     ]
+}
+
+/// Legs of so many joints about one body.
+fn legs(lengths: &[usize]) -> Vec<(usize, Vec<usize>)> {
+    let mut joints = Vec::new();
+    for &length in lengths {
+        let first = 1 + joints.len();
+        joints.extend((first..first + length).map(|body| (2, vec![if body == first { 0 } else { body - 1 }, body])));
+    }
+    joints
 }
 
 /// Knots in a square of n × n that rods join.
@@ -221,6 +235,35 @@ fn analytic_pivots_within_a_block_are_those_of_its_rows() {
     let vanished = kkt.factor(&mass, &[1.0, 2.0, 0.0, 2.0, 4.0, 0.0]).expect_err("twice the first row");
     assert!(vanished.row == Some(1) && vanished.relative.abs() <= 1e-14, "{vanished:?}");
     assert!(kkt.factor(&mass, &[f64::NAN; 6]).is_err() && kkt.factor(&mass, &[0.0; 6]).is_err());
+}
+
+/// In a chain each joint in turn repeats a row of its own: its number is told, whether it is eliminated alone or beside another one.
+#[test]
+fn invariant_a_vanished_pivot_is_that_of_its_row() {
+    let mut numbers = Numbers(17);
+    let joints: Vec<(usize, Vec<usize>)> = (0..9).map(|i| (2, vec![i, i + 1])).collect();
+    let pattern = pattern_of(&joints);
+    let mut kkt = by_joints(30, &pattern, 18).unwrap();
+    let mass = [2.0; 30];
+    let jacobian: Vec<f64> = (0..pattern.n_nonzeros()).map(|_| numbers.entry()).collect();
+    kkt.factor(&mass, &jacobian).unwrap();
+    for joint in 0..9 {
+        let mut repeated = jacobian.clone();
+        let [first, second, third] = [2 * joint, 2 * joint + 1, 2 * joint + 2].map(|row| pattern.starts[row]);
+        (second..third).for_each(|entry| repeated[entry] = 2.0 * jacobian[entry - second + first]);
+        let vanished = kkt.factor(&mass, &repeated).expect_err("twice the first row");
+        assert!(vanished.row == Some(2 * joint + 1) && vanished.relative.abs() <= 1e-13, "{joint}: {vanished:?}");
+        for wrong in [0.0, f64::NAN, f64::INFINITY] {
+            let mut of = jacobian.clone();
+            of[first..second].fill(wrong);
+            let refused = kkt.factor(&mass, &of).expect_err("a row without numbers");
+            assert!(wrong != 0.0 || refused.row == Some(2 * joint), "{joint}: {refused:?}");
+        }
+    }
+    // products of three entries of A have to be numbers
+    for (mass, is_taken) in [(1e100, true), (1e-100, true), (1e160, false), (1e-160, false), (f64::NAN, false)] {
+        assert_eq!(kkt.factor(&[mass; 30], &jacobian).is_ok(), is_taken, "{mass:e}");
+    }
 }
 
 /// A body in many joints, an entry that stands twice, a joint of three bodies, and a net with more than 50 products a joint are left to other factors.

@@ -1,6 +1,7 @@
 //! The columns of the factors: which blocks stand below the diagonal, and which of them the elimination of each changes.
 
 use super::form::{Form, Layout};
+use super::paths::{Paths, Place, Stretch};
 use super::{Block, Column};
 use crate::linalg::VanishedPivot;
 use crate::linalg::joints::{BODIES, Joint, Plan};
@@ -27,9 +28,7 @@ pub(super) struct Node<const B: usize, const N: usize> {
     pub first_entry: u32,
     /// How its entries stand in G, among the layouts.
     pub layout: u32,
-    /// Among the rows of G.
-    pub first_row: u32,
-    pub n_rows: u32,
+    pub rows: Rows,
     /// How many joints later the row of the only block stands; zero where its blocks stand in the list.
     pub next: u32,
     /// The place of the body that both hold, here and there.
@@ -38,13 +37,47 @@ pub(super) struct Node<const B: usize, const N: usize> {
     pub n_lower: u32,
 }
 
-impl<const B: usize, const N: usize> Node<B, N> {
+/// The rows of a joint among those of G.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rows {
+    pub first: u32,
+    pub n: u32,
+}
+
+impl Rows {
+    fn new(joint: &Joint) -> Self {
+        Self { first: joint.first_row as u32, n: joint.n_rows as u32 }
+    }
+
+    /// Those of a vector that has one number for each row of G.
+    #[inline(always)]
+    pub(super) fn of<F: Form<B, N>, const B: usize, const N: usize>(self, of: &[f64]) -> Column<B> {
+        let first = self.first as usize;
+        if F::WHOLE {
+            return of.as_chunks::<B>().0[first / B];
+        }
+        let mut rows = [0.0; B];
+        rows.iter_mut().zip(&of[first..][..self.n as usize]).for_each(|(row, of)| *row = *of);
+        rows
+    }
+
+    /// The same in reverse.
+    #[inline(always)]
+    pub(super) fn write<F: Form<B, N>, const B: usize, const N: usize>(self, y: &Column<B>, out: &mut [f64]) {
+        let first = self.first as usize;
+        if F::WHOLE {
+            out.as_chunks_mut::<B>().0[first / B] = *y;
+            return;
+        }
+        out[first..][..self.n as usize].iter_mut().zip(y).for_each(|(out, y)| *out = *y);
+    }
+
     /// The first row whose pivot is not more than `least`; where each is, the last one, whose pivot left the range of numbers.
     #[cold]
-    pub(super) fn vanished(&self, pivots: &Column<B>, least: f64) -> VanishedPivot {
-        let last = self.n_rows as usize - 1;
+    pub(super) fn vanished<const B: usize>(self, pivots: &Column<B>, least: f64) -> VanishedPivot {
+        let last = self.n as usize - 1;
         let row = pivots.iter().position(|pivot| pivot.is_nan() || *pivot <= least).unwrap_or(last);
-        VanishedPivot { relative: pivots[row], row: Some(self.first_row as usize + row) }
+        VanishedPivot { relative: pivots[row], row: Some(self.first as usize + row) }
     }
 }
 
@@ -63,6 +96,8 @@ const NOT_SHARED: u8 = BODIES as u8;
 
 /// All of them.
 pub(super) struct Columns<const B: usize, const N: usize> {
+    pub paths: Paths<B, N>,
+    /// Of the joints that are in no path.
     pub nodes: Vec<Node<B, N>>,
     /// The usual one first.
     pub layouts: Vec<Layout<N>>,
@@ -73,23 +108,25 @@ pub(super) struct Columns<const B: usize, const N: usize> {
 }
 
 impl<const B: usize, const N: usize> Columns<B, N> {
-    pub(super) fn new<F: Form<B, N>>(Plan { joints, later }: &Plan, pattern: &SparsityPattern) -> Self {
+    pub(super) fn new<F: Form<B, N>>(plan: &Plan, pattern: &SparsityPattern) -> Self {
+        let mut layouts = vec![F::USUAL];
+        let n_in_paths = 2 * plan.paths.iter().sum::<usize>();
+        let paths = paths::<F, B, N>(plan, pattern, &mut layouts);
+        let joints = &plan.joints[n_in_paths..];
+        let behind = |list: &Vec<usize>| list.iter().map(|k| k - n_in_paths).collect();
+        let later: Vec<Vec<usize>> = plan.later[n_in_paths..].iter().map(behind).collect();
         let place = |column: usize, row: usize| later[column].binary_search(&row).ok();
         // columns add to the blocks of later ones, whose rows stand in them, too
         let mut is_filled: Vec<Vec<bool>> = later.iter().map(|list| vec![false; list.len()]).collect();
-        for list in later {
+        for list in &later {
             for (i, &column) in list.iter().enumerate() {
                 for place in list[i + 1..].iter().filter_map(|&row| place(column, row)) {
                     is_filled[column][place] = true;
                 }
             }
         }
-        let mut columns = Self {
-            nodes: Vec::with_capacity(joints.len()),
-            layouts: vec![F::USUAL],
-            below: Vec::new(),
-            targets: Vec::new(),
-        };
+        let mut columns =
+            Self { paths, nodes: Vec::with_capacity(joints.len()), layouts, below: Vec::new(), targets: Vec::new() };
         let mut starts = Vec::with_capacity(joints.len());
         for (k, joint) in joints.iter().enumerate() {
             let side = |i: usize, row: usize| joint.bodies.get(i).and_then(|&body| joints[row].side_of(body));
@@ -110,22 +147,17 @@ impl<const B: usize, const N: usize> Columns<B, N> {
                 columns.below.extend(blocks);
             }
             starts.push(start);
-            let own = layout::<F, B, N>(joint, pattern);
-            let layout = columns.layouts.iter().position(|known| *known == own).unwrap_or_else(|| {
-                columns.layouts.push(own);
-                columns.layouts.len() - 1
-            });
+            let layout = layout::<F, B, N>(joint, pattern, &mut columns.layouts);
             columns.nodes.push(Node {
                 slots: [[0.0; N]; BODIES],
                 pending: [[0.0; B]; B],
                 inverse: [[0.0; B]; B],
                 lower: [[0.0; B]; B],
                 y: [0.0; B],
-                bodies: from_fn(|i| joint.bodies.get(i).or(joint.bodies.first()).map_or(0, |&body| body as u32)),
+                bodies: bodies(joint),
                 first_entry: pattern.starts[joint.first_row] as u32,
-                layout: layout as u32,
-                first_row: joint.first_row as u32,
-                n_rows: joint.n_rows as u32,
+                layout,
+                rows: Rows::new(joint),
                 next: next as u32,
                 shared,
                 n_lower: (columns.below.len() - start) as u32,
@@ -141,14 +173,62 @@ impl<const B: usize, const N: usize> Columns<B, N> {
     }
 }
 
-/// Where the entries of a joint stand.
-fn layout<F: Form<B, N>, const B: usize, const N: usize>(joint: &Joint, pattern: &SparsityPattern) -> Layout<N> {
-    let mut layout = [[u32::MAX; N]; BODIES];
+/// Those that a joint holds; one that is held alone stands twice.
+fn bodies(joint: &Joint) -> [u32; BODIES] {
+    from_fn(|i| joint.bodies.get(i).or(joint.bodies.first()).map_or(0, |&body| body as u32))
+}
+
+/// The paths that come first in the order.
+fn paths<F: Form<B, N>, const B: usize, const N: usize>(
+    Plan { joints, later, paths }: &Plan,
+    pattern: &SparsityPattern,
+    layouts: &mut Vec<Layout<N>>,
+) -> Paths<B, N> {
+    let n_in_paths = 2 * paths.iter().sum::<usize>();
+    // of a path every joint has one behind it, with which it shares one body
+    let behind = |k: usize| later[k][0];
+    let shared = |k: usize| joints[k].bodies.iter().position(|&body| joints[behind(k)].side_of(body).is_some());
+    let mut place = |k: usize| {
+        let (joint, is_turned) = (&joints[k], shared(k) == Some(0));
+        let mut bodies = bodies(joint);
+        if is_turned {
+            bodies.swap(0, 1);
+        }
+        let (first_entry, layout) =
+            (pattern.starts[joint.first_row] as u32, layout::<F, B, N>(joint, pattern, layouts));
+        Place { bodies, first_entry, layout, rows: Rows::new(joint), is_turned }
+    };
+    let places: Vec<[Place; 2]> = (0..n_in_paths / 2).map(|i| [place(2 * i), place(2 * i + 1)]).collect();
+    let mut first = 0;
+    let stretches = paths.iter().map(|&n_twins| {
+        let last = first + 2 * (n_twins - 1);
+        let end = |k: usize| {
+            let side = joints[k].bodies.iter().find_map(|&body| joints[behind(k)].side_of(body));
+            (behind(k) - n_in_paths, side.unwrap_or(0))
+        };
+        let begins_with_body = [first, first + 1].map(|k| joints[k].bodies.len() == BODIES);
+        first += 2 * n_twins;
+        Stretch { n_twins, ends: [end(last), end(last + 1)], begins_with_body }
+    });
+    Paths::new(&places, stretches.collect())
+}
+
+/// Where the entries of a joint stand, among the layouts.
+fn layout<F: Form<B, N>, const B: usize, const N: usize>(
+    joint: &Joint,
+    pattern: &SparsityPattern,
+    layouts: &mut Vec<Layout<N>>,
+) -> u32 {
+    let mut own = [[u32::MAX; N]; BODIES];
     for (entry, row, column) in joint.entries(pattern) {
         let (body, component) = body_and_component(column);
         if let (Some(side), Some(at)) = (joint.side_of(body), F::place(row, component)) {
-            layout[side][at] = (entry - pattern.starts[joint.first_row]) as u32;
+            own[side][at] = (entry - pattern.starts[joint.first_row]) as u32;
         }
     }
-    layout
+    let known = layouts.iter().position(|known| *known == own);
+    known.unwrap_or_else(|| {
+        layouts.push(own);
+        layouts.len() - 1
+    }) as u32
 }

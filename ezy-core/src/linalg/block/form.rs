@@ -1,5 +1,6 @@
 //! How a joint keeps its part of Γ = G M^−½: as much as its rows can have.
 
+use super::two::Number;
 use super::{Block, Column};
 use crate::linalg::joints::BODIES;
 use crate::model::coordinate::N_OF_BODY;
@@ -32,13 +33,13 @@ pub(super) trait Form<const B: usize, const N: usize>: Send {
     }
 
     /// `a bᵀ` for the same body.
-    fn product(a: &[f64; N], b: &[f64; N]) -> Block<B>;
+    fn product<T: Number>(a: &[T; N], b: &[T; N]) -> Block<B, T>;
 
     /// `sum += slot x`.
-    fn add(sum: &mut Column<B>, slot: &[f64; N], x: &[f64; N_OF_BODY]);
+    fn add<T: Number>(sum: &mut Column<B, T>, slot: &[T; N], x: &[T; N_OF_BODY]);
 
     /// `x −= slotᵀ y`.
-    fn subtract_transposed(x: &mut [f64; N_OF_BODY], slot: &[f64; N], y: &Column<B>);
+    fn subtract_transposed<T: Number>(x: &mut [T; N_OF_BODY], slot: &[T; N], y: &Column<B, T>);
 }
 
 /// Column after column.
@@ -71,27 +72,27 @@ impl<const B: usize, const N: usize> Form<B, N> for Full {
     }
 
     #[inline]
-    fn product(a: &[f64; N], b: &[f64; N]) -> Block<B> {
-        let mut block = [[0.0; B]; B];
+    fn product<T: Number>(a: &[T; N], b: &[T; N]) -> Block<B, T> {
+        let mut block = [[T::from_f64(0.0); B]; B];
         for (a, b) in a.chunks_exact(B).zip(b.chunks_exact(B)) {
             for (column, b) in block.iter_mut().zip(b) {
-                column.iter_mut().zip(a).for_each(|(entry, a)| *entry += a * b);
+                column.iter_mut().zip(a).for_each(|(entry, a)| *entry = *entry + *a * *b);
             }
         }
         block
     }
 
     #[inline]
-    fn add(sum: &mut Column<B>, slot: &[f64; N], x: &[f64; N_OF_BODY]) {
+    fn add<T: Number>(sum: &mut Column<B, T>, slot: &[T; N], x: &[T; N_OF_BODY]) {
         for (column, x) in slot.chunks_exact(B).zip(x) {
-            sum.iter_mut().zip(column).for_each(|(sum, g)| *sum += g * x);
+            sum.iter_mut().zip(column).for_each(|(sum, g)| *sum = *sum + *g * *x);
         }
     }
 
     #[inline]
-    fn subtract_transposed(x: &mut [f64; N_OF_BODY], slot: &[f64; N], y: &Column<B>) {
+    fn subtract_transposed<T: Number>(x: &mut [T; N_OF_BODY], slot: &[T; N], y: &Column<B, T>) {
         for (x, column) in x.iter_mut().zip(slot.chunks_exact(B)) {
-            *x -= column.iter().zip(y).map(|(g, y)| g * y).sum::<f64>();
+            *x = column.iter().zip(y).map(|(g, y)| *g * *y).reduce(T::add).map_or(*x, |sum| *x - sum);
         }
     }
 }
@@ -116,18 +117,18 @@ impl Form<2, 4> for Aligned {
     }
 
     #[inline]
-    fn product(a: &[f64; 4], b: &[f64; 4]) -> Block<2> {
+    fn product<T: Number>(a: &[T; 4], b: &[T; 4]) -> Block<2, T> {
         [[a[2] * b[2] + a[0] * b[0], a[3] * b[2]], [a[2] * b[3], a[3] * b[3] + a[1] * b[1]]]
     }
 
     #[inline]
-    fn add(sum: &mut Column<2>, slot: &[f64; 4], [x, y, phi]: &[f64; N_OF_BODY]) {
+    fn add<T: Number>(sum: &mut Column<2, T>, slot: &[T; 4], &[x, y, phi]: &[T; N_OF_BODY]) {
         *sum = [sum[0] + (slot[0] * x + slot[2] * phi), sum[1] + (slot[1] * y + slot[3] * phi)];
     }
 
     #[inline]
-    fn subtract_transposed([x, y, phi]: &mut [f64; N_OF_BODY], slot: &[f64; 4], of: &Column<2>) {
+    fn subtract_transposed<T: Number>([x, y, phi]: &mut [T; N_OF_BODY], slot: &[T; 4], of: &Column<2, T>) {
         (*x, *y) = (*x - slot[0] * of[0], *y - slot[1] * of[1]);
-        *phi -= slot[2] * of[0] + slot[3] * of[1];
+        *phi = *phi - (slot[2] * of[0] + slot[3] * of[1]);
     }
 }

@@ -1,29 +1,30 @@
 //! Inverses of small blocks.
 
+use super::two::Number;
 use super::{Block, Column};
 
 /// A block over a number.
-pub(super) struct Fraction<const B: usize> {
-    pub numerator: Block<B>,
-    pub denominator: f64,
+pub(super) struct Fraction<const B: usize, T = f64> {
+    pub numerator: Block<B, T>,
+    pub denominator: T,
     /// Of each row, relative to what it started from.
-    pub pivots: Column<B>,
+    pub pivots: Column<B, T>,
 }
 
-impl<const B: usize> Fraction<B> {
+impl<const B: usize, T: Number> Fraction<B, T> {
     /// Inverse of a positive definite block of one to three rows, of which the lower triangle is read.
     ///
     /// Of two rows it is the adjugate over the determinant a b − c², which loses the digits that the second pivot loses. The determinant of
     /// three would lose those of two pivots: a body that is light to turn, welded at a lever, makes both small. So the first row is
     /// eliminated, and the adjugate is that of what it leaves of the others.
     #[inline]
-    pub(super) fn inverse(block: &Block<B>, start: &Column<B>) -> Self {
-        let (mut numerator, mut pivots) = ([[0.0; B]; B], [1.0; B]);
+    pub(super) fn inverse(block: &Block<B, T>, start: &Column<B, T>) -> Self {
+        let (mut numerator, mut pivots) = ([[T::from_f64(0.0); B]; B], [T::from_f64(1.0); B]);
         let first = block[0][0];
         pivots[0] = first / start[0];
         let denominator = match B {
             1 => {
-                numerator[0][0] = 1.0;
+                numerator[0][0] = T::from_f64(1.0);
                 first
             }
             2 => {
@@ -36,7 +37,7 @@ impl<const B: usize> Fraction<B> {
             }
             _ => {
                 // [1 −lᵀ; 0 1] [1/first 0; 0 adjugate/determinant] [1 0; −l 1]
-                let reciprocal = 1.0 / first;
+                let reciprocal = T::from_f64(1.0) / first;
                 let l = [block[0][1] * reciprocal, block[0][2] * reciprocal];
                 let a = block[1][1] - l[0] * block[0][1];
                 let c = block[1][2] - l[0] * block[0][2];

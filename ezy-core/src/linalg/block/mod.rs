@@ -3,25 +3,29 @@
 mod columns;
 mod form;
 mod fraction;
+mod paths;
 #[cfg(test)]
 mod tests;
+mod two;
 
 use super::joints::{BODIES, Plan};
 use super::tolerances::blocks::REFINED;
 use super::{KktFactorization, VanishedPivot};
 use crate::model::coordinate::{N_OF_BODY, body_and_component, n_bodies};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
-use columns::{Below, Columns, Node};
+use columns::{Below, Columns, Node, Rows};
 use form::{Aligned, Form, Full, Layout};
 use fraction::Fraction;
+use paths::{Given, Paths};
 use std::array::from_fn;
 use std::marker::PhantomData;
+use two::Number;
 
 /// A column of a block: one number for each row of a joint.
-type Column<const B: usize> = [f64; B];
+type Column<const B: usize, T = f64> = [T; B];
 
 /// The columns of a block of A.
-type Block<const B: usize> = [Column<B>; B];
+type Block<const B: usize, T = f64> = [Column<B, T>; B];
 
 /// LDLᵀ factors of `A = G M⁻¹ Gᵀ`, which is what remains of K without its masses, for joints of up to `B` rows. Joints with fewer rows have ones on
 /// the rest of their diagonal.
@@ -29,6 +33,8 @@ type Block<const B: usize> = [Column<B>; B];
 /// Nothing is filled in where bodies form trees, whatever their shape: the cost grows as their number.
 struct BlockKkt<F, const B: usize, const N: usize> {
     form: PhantomData<F>,
+    paths: Paths<B, N>,
+    /// Joints that are in no path.
     nodes: Vec<Node<B, N>>,
     /// How entries of joints stand in G; the usual one first.
     layouts: Vec<Layout<N>>,
@@ -45,8 +51,8 @@ struct BlockKkt<F, const B: usize, const N: usize> {
     roots: Vec<[f64; N_OF_BODY]>,
     /// M^½ x of the right side and of the solution, by body.
     x: Vec<[f64; N_OF_BODY]>,
-    /// y before it is refined, by joint.
-    first: Vec<Column<B>>,
+    /// y before it is refined, `n_c`.
+    first: Vec<f64>,
     smallest_pivot: f64,
     /// Whether solutions are refined once.
     refines: bool,
@@ -72,10 +78,11 @@ fn are_aligned(pattern: &SparsityPattern, plan: &Plan) -> bool {
 
 impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     fn new(n_q: usize, pattern: &SparsityPattern, plan: &Plan) -> Self {
-        let Columns { nodes, layouts, below, targets } = Columns::new::<F>(plan, pattern);
+        let Columns { paths, nodes, layouts, below, targets } = Columns::new::<F>(plan, pattern);
         Self {
             form: PhantomData,
-            first: vec![[0.0; B]; nodes.len()],
+            first: vec![0.0; plan.joints.iter().map(|joint| joint.n_rows).sum()],
+            paths,
             nodes,
             layouts,
             lower: vec![[[0.0; B]; B]; below.len()],
@@ -95,6 +102,7 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         if self.mass.iter().zip(mass).fold(false, |differ, (known, m)| differ | (known != m)) {
             self.mass.copy_from_slice(mass);
             self.roots.as_flattened_mut().iter_mut().zip(mass).for_each(|(root, m)| *root = 1.0 / m.sqrt());
+            self.paths.take_roots(&self.roots);
         }
     }
 
@@ -109,26 +117,29 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         least: f64,
         s: Option<&[f64]>,
     ) -> Result<(), VanishedPivot> {
-        let Self { nodes, layouts, roots, below, lower, targets, smallest_pivot, x, .. } = self;
+        let Self { paths, nodes, layouts, roots, below, lower, targets, smallest_pivot, x, .. } = self;
         lower.iter_mut().zip(&*below).filter(|(_, of)| of.is_filled).for_each(|(block, _)| *block = [[0.0; B]; B]);
         let mut list = List { lower, below, targets };
-        let mut smallest = 1.0;
         begin::<F, B, N>(nodes, layouts, jacobian, roots);
+        let mut smallest = paths.eliminate::<F>(nodes, &Given { layouts, jacobian, damping, least })?;
+        if let Some(s) = s {
+            paths.forward::<F>(nodes, x, s);
+        }
         let mut rest = &mut nodes[..];
         while let Some((joint, later)) = rest.split_first_mut() {
             let [first, second] = &joint.slots;
             let mut own = sum(&F::product(first, first), &F::product(second, second));
             if !F::WHOLE {
-                (joint.n_rows as usize..B).for_each(|r| own[r][r] = 1.0);
+                (joint.rows.n as usize..B).for_each(|r| own[r][r] = 1.0);
             }
             if let Some(damping) = damping {
-                let damping = rows::<F, B, N>(joint, damping);
+                let damping = joint.rows.of::<F, B, N>(damping);
                 (0..B).for_each(|r| own[r][r] += damping[r]);
             }
             let start = from_fn(|r| own[r][r]);
             let inverse = Fraction::inverse(&sum(&own, &joint.pending), &start);
             if !(inverse.pivots.iter().all(|&pivot| pivot > least) && inverse.denominator.is_normal()) {
-                return Err(joint.vanished(&inverse.pivots, least));
+                return Err(joint.rows.vanished(&inverse.pivots, least));
             }
             for pivot in inverse.pivots {
                 smallest = if pivot < smallest { pivot } else { smallest };
@@ -158,8 +169,9 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
 
     /// `L y = Γ x − s`.
     fn forward(&mut self, s: &[f64]) {
-        let Self { nodes, lower, below, x, .. } = self;
+        let Self { paths, nodes, lower, below, x, .. } = self;
         nodes.iter_mut().for_each(|joint| joint.y = [0.0; B]);
+        paths.forward::<F>(nodes, x, s);
         let mut column = Pairs(lower, below);
         let mut rest = &mut nodes[..];
         while let Some((joint, later)) = rest.split_first_mut() {
@@ -174,10 +186,10 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         }
     }
 
-    /// `D Lᵀ y = y`, then `x −= Γᵀ y`; hands out the place of each joint, and y there.
+    /// `D Lᵀ y = y`, then `x −= Γᵀ y`; hands out the rows of each joint, and y there.
     #[inline]
-    fn backward(&mut self, mut found: impl FnMut(usize, &Node<B, N>)) {
-        let Self { nodes, lower, below, x, .. } = self;
+    fn backward(&mut self, mut found: impl FnMut(Rows, &Column<B>)) {
+        let Self { paths, nodes, lower, below, x, .. } = self;
         let mut column = Pairs(lower, below);
         for k in (0..nodes.len()).rev() {
             let Some((joint, later)) = nodes[k..].split_first_mut() else { continue };
@@ -193,8 +205,9 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
             for (slot, &body) in joint.slots.iter().zip(&joint.bodies) {
                 F::subtract_transposed(&mut x[body as usize], slot, &solved);
             }
-            found(k, joint);
+            found(joint.rows, &solved);
         }
+        paths.backward::<F>(nodes, x, found);
     }
 
     /// Takes from x what leaves s of its rows, by `M^−½ Γᵀ y` with `A y = G x − s`: with x = M⁻¹ r it gives the solution; once more, with y = 0, it
@@ -203,18 +216,15 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         let (r, s) = right_side.split_at_mut(self.roots.as_flattened().len());
         if self.refines {
             let mut first = std::mem::take(&mut self.first);
-            self.backward(|k, joint| first[k] = joint.y);
+            self.backward(|rows, y| rows.write::<F, B, N>(y, &mut first));
             self.forward(s);
-            self.backward(|k, joint| write_rows(joint, &from_fn(|r| first[k][r] + joint.y[r]), s));
+            self.backward(|rows, y| {
+                let before = rows.of::<F, B, N>(&first);
+                rows.write::<F, B, N>(&from_fn(|r| before[r] + y[r]), s);
+            });
             self.first = first;
         } else {
-            self.backward(|_, joint| {
-                if F::WHOLE {
-                    s.as_chunks_mut::<B>().0[joint.first_row as usize / B] = joint.y;
-                } else {
-                    write_rows(joint, &joint.y, s);
-                }
-            });
+            self.backward(|rows, y| rows.write::<F, B, N>(y, s));
         }
         let x = self.x.as_flattened().iter().zip(self.roots.as_flattened());
         r.iter_mut().zip(x).for_each(|(r, (x, root))| *r = x * root);
@@ -248,24 +258,6 @@ fn begin<F: Form<B, N>, const B: usize, const N: usize>(
     }
 }
 
-/// The rows of a joint in a vector that has one number for each row of G.
-#[inline]
-fn rows<F: Form<B, N>, const B: usize, const N: usize>(joint: &Node<B, N>, of: &[f64]) -> Column<B> {
-    let first = joint.first_row as usize;
-    if F::WHOLE {
-        return of.as_chunks::<B>().0[first / B];
-    }
-    let mut rows = [0.0; B];
-    rows.iter_mut().zip(&of[first..][..joint.n_rows as usize]).for_each(|(row, of)| *row = *of);
-    rows
-}
-
-/// The same in reverse.
-fn write_rows<const B: usize, const N: usize>(joint: &Node<B, N>, y: &Column<B>, out: &mut [f64]) {
-    let out = &mut out[joint.first_row as usize..][..joint.n_rows as usize];
-    out.iter_mut().zip(y).for_each(|(out, y)| *out = *y);
-}
-
 /// What a joint and those before it have in `L y = Γ x − s`.
 #[inline]
 fn forward<F: Form<B, N>, const B: usize, const N: usize>(
@@ -273,7 +265,7 @@ fn forward<F: Form<B, N>, const B: usize, const N: usize>(
     x: &[[f64; N_OF_BODY]],
     s: &[f64],
 ) -> Column<B> {
-    let mut sum = rows::<F, B, N>(joint, s).map(|s| -s);
+    let mut sum = joint.rows.of::<F, B, N>(s).map(|s| -s);
     for (slot, &body) in joint.slots.iter().zip(&joint.bodies) {
         F::add(&mut sum, slot, &x[body as usize]);
     }
@@ -333,8 +325,8 @@ impl<const B: usize> List<'_, B> {
 }
 
 #[inline]
-fn subtract<const B: usize>(sum: &mut Column<B>, x: &Column<B>) {
-    sum.iter_mut().zip(x).for_each(|(sum, x)| *sum -= x);
+fn subtract<const B: usize, T: Number>(sum: &mut Column<B, T>, x: &Column<B, T>) {
+    sum.iter_mut().zip(x).for_each(|(sum, x)| *sum = *sum - *x);
 }
 
 /// Two lists side by side, taken from either end.
@@ -398,37 +390,42 @@ impl<F: Form<B, N>, const B: usize, const N: usize> KktFactorization for BlockKk
 
     fn describe(&self) -> String {
         let n_alone = self.nodes.iter().filter(|node| node.next > 0).count();
-        let (n, n_lower) = (self.nodes.len(), self.lower.len() + n_alone);
+        let n_in_paths = self.paths.n_joints();
+        let (n, n_lower) = (self.nodes.len() + n_in_paths, self.lower.len() + n_alone + n_in_paths);
         let n_products = n_lower + self.targets.len();
         format!("blocks of {B} x {B}, {n} on the diagonal, {n_lower} below it, {n_products} products of blocks")
     }
 }
 
 #[inline]
-fn sum<const B: usize>(a: &Block<B>, b: &Block<B>) -> Block<B> {
+fn sum<const B: usize, T: Number>(a: &Block<B, T>, b: &Block<B, T>) -> Block<B, T> {
     from_fn(|c| from_fn(|r| a[c][r] + b[c][r]))
+}
+
+/// `a bᵀ factor`.
+#[inline]
+fn product_times<const B: usize, T: Number>(a: &Block<B, T>, b: &Block<B, T>, factor: T) -> Block<B, T> {
+    from_fn(|c| apply(a, &b.map(|of_row| of_row[c])).map(|entry| entry * factor))
 }
 
 /// `block −= a bᵀ factor`.
 #[inline]
 fn subtract_product<const B: usize>(block: &mut Block<B>, a: &Block<B>, b: &Block<B>, factor: f64) {
-    for (c, column) in block.iter_mut().enumerate() {
-        let product = apply(a, &b.map(|of_row| of_row[c]));
-        column.iter_mut().zip(product).for_each(|(entry, product)| *entry -= product * factor);
-    }
+    let product = product_times(a, b, factor);
+    block.iter_mut().zip(&product).for_each(|(column, product)| subtract(column, product));
 }
 
 #[inline]
-fn times<const B: usize>(block: &Block<B>, factor: f64) -> Block<B> {
+fn times<const B: usize, T: Number>(block: &Block<B, T>, factor: T) -> Block<B, T> {
     block.map(|column| column.map(|entry| entry * factor))
 }
 
 #[inline]
-fn dot<const B: usize>(a: &Column<B>, b: &Column<B>) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+fn dot<const B: usize, T: Number>(a: &Column<B, T>, b: &Column<B, T>) -> T {
+    (1..B).fold(a[0] * b[0], |sum, i| sum + a[i] * b[i])
 }
 
 #[inline]
-fn apply<const B: usize>(a: &Block<B>, x: &Column<B>) -> Column<B> {
-    from_fn(|r| a.iter().zip(x).map(|(column, x)| column[r] * x).sum())
+fn apply<const B: usize, T: Number>(a: &Block<B, T>, x: &Column<B, T>) -> Column<B, T> {
+    from_fn(|r| (1..B).fold(a[0][r] * x[0], |sum, i| sum + a[i][r] * x[i]))
 }

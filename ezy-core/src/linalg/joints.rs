@@ -38,7 +38,7 @@ pub(super) struct Plan {
     pub joints: Vec<Joint>,
     /// Later joints of each one, ascending, whose blocks are not zero.
     pub later: Vec<Vec<usize>>,
-    /// How many joints each two paths from loose ends have. They come first: those of one path and of the other by turns.
+    /// How many joints either path of each pair has. Paths come first: joints of one and of the other by turns.
     pub paths: Vec<usize>,
 }
 
@@ -69,6 +69,11 @@ impl Plan {
         let mut all: Vec<Option<Joint>> = joints.into_iter().map(Some).collect();
         let joints: Vec<Joint> = order.iter().filter_map(|&k| all[k].take()).collect();
         Some(Self::paths_first(joints, &later))
+    }
+
+    /// How many joints are in paths.
+    pub(super) fn n_in_paths(&self) -> usize {
+        2 * self.paths.iter().sum::<usize>()
     }
 
     /// Two paths of about the same length, and again two, until all are taken.
@@ -148,8 +153,8 @@ fn inwards(joints: &[Joint], of_body: &[Vec<usize>]) -> Vec<usize> {
     outwards
 }
 
-/// From each joint that none comes before, those that have the one before alone, and one behind with which they share one body. All joints of a path have as
-/// many rows as any joint has.
+/// From each joint that none comes before, joints that have the one before alone, and one behind with which they share one body. All
+/// have the largest number of rows.
 fn paths(joints: &[Joint], later: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let n_rows = joints.iter().map(|joint| joint.n_rows).max();
     let mut n_before = vec![0; joints.len()];

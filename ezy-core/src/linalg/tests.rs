@@ -92,8 +92,10 @@ fn mechanisms() -> Vec<Vec<(usize, Vec<usize>)>> {
     vec![
         vec![(2, vec![0])],
         (0..9).map(|i| (2, if i == 0 { vec![0] } else { vec![i - 1, i] })).collect(),
-        // loose at both ends, and numbered inwards
+        // loose at both ends, with one to three rows; and numbered inwards
         (0..8).map(|i| (2, vec![i, i + 1])).collect(),
+        (0..7).map(|i| (1, vec![i, i + 1])).collect(),
+        (0..6).map(|i| (3, vec![i, i + 1])).collect(),
         vec![(2, vec![0, 2]), (2, vec![2, 4]), (2, vec![4, 5]), (2, vec![3, 5]), (2, vec![1, 3]), (2, vec![1])],
         legs(&[5, 4, 4, 2, 1, 1]),
         vec![(2, vec![0, 3]), (3, vec![1, 3]), (1, vec![3, 2]), (1, vec![2]), (2, vec![2, 4]), (2, vec![4, 5])],

@@ -66,7 +66,8 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// # Errors
     /// [`SetupError`] when the start cannot be assembled.
     pub fn free_start_values(&self) -> Result<Vec<Name>, SetupError> {
-        self.settings.free_start_values(self.scene.as_dyn())
+        let (mut system, start, state) = self.settings.assembled(self.scene.as_dyn())?;
+        Ok(system.assembly().free_values(&start, &state))
     }
 
     /// The scene with its constant inputs and its start, for what is no run.
@@ -161,11 +162,6 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
 }
 
 impl Settings {
-    fn free_start_values(&self, scene: &dyn Scene) -> Result<Vec<Name>, SetupError> {
-        let (mut system, start, state) = self.assembled(scene)?;
-        Ok(system.assembly().free_values(&start, &state))
-    }
-
     /// The scene with its constant inputs, its start, and the consistent state that belongs to it.
     pub(super) fn assembled<P: SceneRef>(&self, scene: P) -> Result<(System<P>, Start, State), SetupError> {
         let mut system = self.solver.system(scene)?;

@@ -171,10 +171,10 @@ fn invariant_workflows_call_parts_that_exist() {
         let line = script.lines().find_map(|line| line.strip_prefix(start)).expect("the parts are listed");
         line.trim_end_matches(')').split_whitespace().collect::<BTreeSet<&str>>()
     };
-    let [optimised, plain, on_request] = ["OPTIMISED=(", "PLAIN=(", "ON_REQUEST=("].map(list);
+    let [beside, tests, on_request] = ["BESIDE=(", "TESTS=(", "ON_REQUEST=("].map(list);
     for name in &on_request {
         assert!(calls.contains(name), "the workflow calls `{name}`, which nobody else does");
     }
     let defined = script.lines().filter_map(|line| line.strip_prefix("part_")?.strip_suffix("() {"));
-    assert_eq!(&(&optimised | &plain) | &on_request, defined.collect(), "`.ci/run` knows every part");
+    assert_eq!(&(&beside | &tests) | &on_request, defined.collect(), "`.ci/run` knows every part");
 }

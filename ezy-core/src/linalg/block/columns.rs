@@ -1,7 +1,6 @@
 //! The columns of the factors: which blocks stand below the diagonal, and which of them the elimination of each changes.
 
 use super::form::{Form, Layout};
-use super::paths::{Paths, Place, Stretch};
 use super::{Block, Column};
 use crate::linalg::VanishedPivot;
 use crate::linalg::joints::{BODIES, Joint, Plan};
@@ -45,7 +44,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    fn new(joint: &Joint) -> Self {
+    pub(super) fn new(joint: &Joint) -> Self {
         Self { first: joint.first_row as u32, n: joint.n_rows as u32 }
     }
 
@@ -96,8 +95,6 @@ const NOT_SHARED: u8 = BODIES as u8;
 
 /// All of them.
 pub(super) struct Columns<const B: usize, const N: usize> {
-    pub paths: Paths<B, N>,
-    /// Of the joints that are in no path.
     pub nodes: Vec<Node<B, N>>,
     /// The usual one first.
     pub layouts: Vec<Layout<N>>,
@@ -108,10 +105,9 @@ pub(super) struct Columns<const B: usize, const N: usize> {
 }
 
 impl<const B: usize, const N: usize> Columns<B, N> {
-    pub(super) fn new<F: Form<B, N>>(plan: &Plan, pattern: &SparsityPattern) -> Self {
-        let mut layouts = vec![F::USUAL];
-        let n_in_paths = 2 * plan.paths.iter().sum::<usize>();
-        let paths = paths::<F, B, N>(plan, pattern, &mut layouts);
+    /// Of the joints that are in no path.
+    pub(super) fn new<F: Form<B, N>>(plan: &Plan, pattern: &SparsityPattern, layouts: Vec<Layout<N>>) -> Self {
+        let n_in_paths = plan.n_in_paths();
         let joints = &plan.joints[n_in_paths..];
         let behind = |list: &Vec<usize>| list.iter().map(|k| k - n_in_paths).collect();
         let later: Vec<Vec<usize>> = plan.later[n_in_paths..].iter().map(behind).collect();
@@ -126,7 +122,7 @@ impl<const B: usize, const N: usize> Columns<B, N> {
             }
         }
         let mut columns =
-            Self { paths, nodes: Vec::with_capacity(joints.len()), layouts, below: Vec::new(), targets: Vec::new() };
+            Self { nodes: Vec::with_capacity(joints.len()), layouts, below: Vec::new(), targets: Vec::new() };
         let mut starts = Vec::with_capacity(joints.len());
         for (k, joint) in joints.iter().enumerate() {
             let side = |i: usize, row: usize| joint.bodies.get(i).and_then(|&body| joints[row].side_of(body));
@@ -174,47 +170,12 @@ impl<const B: usize, const N: usize> Columns<B, N> {
 }
 
 /// Those that a joint holds; one that is held alone stands twice.
-fn bodies(joint: &Joint) -> [u32; BODIES] {
+pub(super) fn bodies(joint: &Joint) -> [u32; BODIES] {
     from_fn(|i| joint.bodies.get(i).or(joint.bodies.first()).map_or(0, |&body| body as u32))
 }
 
-/// The paths that come first in the order.
-fn paths<F: Form<B, N>, const B: usize, const N: usize>(
-    Plan { joints, later, paths }: &Plan,
-    pattern: &SparsityPattern,
-    layouts: &mut Vec<Layout<N>>,
-) -> Paths<B, N> {
-    let n_in_paths = 2 * paths.iter().sum::<usize>();
-    // of a path every joint has one behind it, with which it shares one body
-    let behind = |k: usize| later[k][0];
-    let shared = |k: usize| joints[k].bodies.iter().position(|&body| joints[behind(k)].side_of(body).is_some());
-    let mut place = |k: usize| {
-        let (joint, is_turned) = (&joints[k], shared(k) == Some(0));
-        let mut bodies = bodies(joint);
-        if is_turned {
-            bodies.swap(0, 1);
-        }
-        let (first_entry, layout) =
-            (pattern.starts[joint.first_row] as u32, layout::<F, B, N>(joint, pattern, layouts));
-        Place { bodies, first_entry, layout, rows: Rows::new(joint), is_turned }
-    };
-    let places: Vec<[Place; 2]> = (0..n_in_paths / 2).map(|i| [place(2 * i), place(2 * i + 1)]).collect();
-    let mut first = 0;
-    let stretches = paths.iter().map(|&n_twins| {
-        let last = first + 2 * (n_twins - 1);
-        let end = |k: usize| {
-            let side = joints[k].bodies.iter().find_map(|&body| joints[behind(k)].side_of(body));
-            (behind(k) - n_in_paths, side.unwrap_or(0))
-        };
-        let begins_with_body = [first, first + 1].map(|k| joints[k].bodies.len() == BODIES);
-        first += 2 * n_twins;
-        Stretch { n_twins, ends: [end(last), end(last + 1)], begins_with_body }
-    });
-    Paths::new(&places, stretches.collect())
-}
-
 /// Where the entries of a joint stand, among the layouts.
-fn layout<F: Form<B, N>, const B: usize, const N: usize>(
+pub(super) fn layout<F: Form<B, N>, const B: usize, const N: usize>(
     joint: &Joint,
     pattern: &SparsityPattern,
     layouts: &mut Vec<Layout<N>>,

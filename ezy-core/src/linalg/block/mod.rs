@@ -33,7 +33,7 @@ type Block<const B: usize, T = f64> = [Column<B, T>; B];
 /// Nothing is filled in where bodies form trees, whatever their shape: the cost grows as their number.
 struct BlockKkt<F, const B: usize, const N: usize> {
     form: PhantomData<F>,
-    paths: Paths<B, N>,
+    paths: Vec<Paths<B, N>>,
     /// Joints that are in no path.
     nodes: Vec<Node<B, N>>,
     /// How entries of joints stand in G; the usual one first.
@@ -78,7 +78,9 @@ fn are_aligned(pattern: &SparsityPattern, plan: &Plan) -> bool {
 
 impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     fn new(n_q: usize, pattern: &SparsityPattern, plan: &Plan) -> Self {
-        let Columns { paths, nodes, layouts, below, targets } = Columns::new::<F>(plan, pattern);
+        let mut layouts = vec![F::USUAL];
+        let paths = paths::paths::<F, B, N>(plan, pattern, &mut layouts);
+        let Columns { nodes, layouts, below, targets } = Columns::new::<F>(plan, pattern, layouts);
         Self {
             form: PhantomData,
             first: vec![0.0; plan.joints.iter().map(|joint| joint.n_rows).sum()],
@@ -102,7 +104,7 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         if self.mass.iter().zip(mass).fold(false, |differ, (known, m)| differ | (known != m)) {
             self.mass.copy_from_slice(mass);
             self.roots.as_flattened_mut().iter_mut().zip(mass).for_each(|(root, m)| *root = 1.0 / m.sqrt());
-            self.paths.take_roots(&self.roots);
+            self.paths.iter_mut().for_each(|paths| paths.take_roots(&self.roots));
         }
     }
 
@@ -121,9 +123,13 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         lower.iter_mut().zip(&*below).filter(|(_, of)| of.is_filled).for_each(|(block, _)| *block = [[0.0; B]; B]);
         let mut list = List { lower, below, targets };
         begin::<F, B, N>(nodes, layouts, jacobian, roots);
-        let mut smallest = paths.eliminate::<F>(nodes, &Given { layouts, jacobian, damping, least })?;
-        if let Some(s) = s {
-            paths.forward::<F>(nodes, x, s);
+        let given = Given { layouts, jacobian, damping, least };
+        let mut smallest = 1.0;
+        for paths in paths {
+            smallest = paths.eliminate::<F>(nodes, &given)?.min(smallest);
+            if let Some(s) = s {
+                paths.forward::<F>(nodes, x, s);
+            }
         }
         let mut rest = &mut nodes[..];
         while let Some((joint, later)) = rest.split_first_mut() {
@@ -171,7 +177,7 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     fn forward(&mut self, s: &[f64]) {
         let Self { paths, nodes, lower, below, x, .. } = self;
         nodes.iter_mut().for_each(|joint| joint.y = [0.0; B]);
-        paths.forward::<F>(nodes, x, s);
+        paths.iter_mut().for_each(|paths| paths.forward::<F>(nodes, x, s));
         let mut column = Pairs(lower, below);
         let mut rest = &mut nodes[..];
         while let Some((joint, later)) = rest.split_first_mut() {
@@ -207,7 +213,7 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
             }
             found(joint.rows, &solved);
         }
-        paths.backward::<F>(nodes, x, found);
+        paths.iter_mut().for_each(|paths| paths.backward::<F>(nodes, x, &mut found));
     }
 
     /// Takes from x what leaves s of its rows, by `M^−½ Γᵀ y` with `A y = G x − s`: with x = M⁻¹ r it gives the solution; once more, with y = 0, it
@@ -390,7 +396,7 @@ impl<F: Form<B, N>, const B: usize, const N: usize> KktFactorization for BlockKk
 
     fn describe(&self) -> String {
         let n_alone = self.nodes.iter().filter(|node| node.next > 0).count();
-        let n_in_paths = self.paths.n_joints();
+        let n_in_paths = self.paths.iter().map(Paths::n_joints).sum::<usize>();
         let (n, n_lower) = (self.nodes.len() + n_in_paths, self.lower.len() + n_alone + n_in_paths);
         let n_products = n_lower + self.targets.len();
         format!("blocks of {B} x {B}, {n} on the diagonal, {n_lower} below it, {n_products} products of blocks")

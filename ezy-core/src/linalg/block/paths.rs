@@ -1,12 +1,13 @@
-//! Two paths of joints, each from a loose end inwards, side by side in vector registers.
+//! Two paths of joints, each from an end of a tree inwards, side by side in vector registers.
 
-use super::columns::Rows;
+use super::columns::{Rows, bodies, layout};
 use super::form::{Form, Layout};
 use super::fraction::Fraction;
 use super::two::{Number, Two};
 use super::{Block, Column, Node, apply, dot, product_times, subtract, sum, times};
 use crate::linalg::VanishedPivot;
-use crate::linalg::joints::BODIES;
+use crate::linalg::joints::{BODIES, Plan};
+use crate::model::SparsityPattern;
 use crate::model::coordinate::N_OF_BODY;
 use std::array::from_fn;
 
@@ -14,8 +15,8 @@ use std::array::from_fn;
 type OfBody<T = f64> = [T; N_OF_BODY];
 
 /// A joint of either path, and what is their own in the factors. Their columns have one block below the diagonal, in the row of the next twin.
-#[derive(Debug, Clone)]
-pub(super) struct Twin<const B: usize, const N: usize> {
+#[derive(Debug)]
+struct Twin<const B: usize, const N: usize> {
     /// Their parts of Γ: of the bodies that the joints before hold, and of those that the next ones hold.
     slots: [[Two; N]; BODIES],
     /// Of their blocks of D.
@@ -29,32 +30,57 @@ pub(super) struct Twin<const B: usize, const N: usize> {
 
 /// Where a joint of a path stands.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
+struct Place {
     /// In the order of the slots; of a joint that holds one body alone, that one twice.
-    pub bodies: [u32; BODIES],
-    pub first_entry: u32,
-    pub layout: u32,
-    pub rows: Rows,
+    bodies: [u32; BODIES],
+    first_entry: u32,
+    layout: u32,
+    rows: Rows,
     /// Whether its first body in G is the second one here.
-    pub is_turned: bool,
+    is_turned: bool,
 }
 
-/// Twins one behind the other.
-#[derive(Debug, Clone)]
-pub(super) struct Stretch {
-    pub n_twins: usize,
-    /// The joint behind each path among those that are in none, and the place there of the body that both hold.
-    pub ends: [(usize, usize); 2],
-    /// Whether the first joint of each path holds a body before it.
-    pub begins_with_body: [bool; 2],
-}
-
-/// All paths.
+/// Both paths.
+#[derive(Debug)]
 pub(super) struct Paths<const B: usize, const N: usize> {
     twins: Vec<Twin<B, N>>,
-    stretches: Vec<Stretch>,
-    /// M^−½ of the bodies of each stretch, from that before its first twin on.
+    /// The joint behind each path among those that are in none, and the place there of the body that both hold.
+    ends: [(usize, usize); 2],
+    /// M^−½ of the bodies, from those before the first twin on.
     roots: Vec<OfBody<Two>>,
+}
+
+/// All pairs of paths of a plan.
+pub(super) fn paths<F: Form<B, N>, const B: usize, const N: usize>(
+    plan: &Plan,
+    pattern: &SparsityPattern,
+    layouts: &mut Vec<Layout<N>>,
+) -> Vec<Paths<B, N>> {
+    let (Plan { joints, later, paths }, n_in_paths) = (plan, plan.n_in_paths());
+    // of a path every joint has one behind it, with which it shares one body: its places here and there
+    let behind = |k: usize| {
+        let sides = joints[k].bodies.iter().enumerate();
+        let shared = sides.filter_map(|(side, &body)| Some((side, joints[later[k][0]].side_of(body)?))).next();
+        (later[k][0], shared.unwrap_or_default())
+    };
+    let mut place = |k: usize| {
+        let (joint, is_turned) = (&joints[k], behind(k).1.0 == 0);
+        let mut bodies = bodies(joint);
+        if is_turned {
+            bodies.swap(0, 1);
+        }
+        let first_entry = pattern.starts[joint.first_row] as u32;
+        let layout = layout::<F, B, N>(joint, pattern, layouts);
+        Place { bodies, first_entry, layout, rows: Rows::new(joint), is_turned }
+    };
+    let mut first = 0;
+    let both = paths.iter().map(|&n| {
+        let places: Vec<[Place; 2]> = (0..n).map(|i| [0, 1].map(|lane| place(first + 2 * i + lane))).collect();
+        first += 2 * n;
+        let end = |k: usize| (behind(k).0 - n_in_paths, behind(k).1.1);
+        Paths::new(&places, [end(first - 2), end(first - 1)])
+    });
+    both.collect()
 }
 
 /// What is factored.
@@ -132,16 +158,16 @@ fn rows<F: Form<B, N>, const B: usize, const N: usize>(places: &[Place; 2], of: 
 }
 
 impl<const B: usize, const N: usize> Paths<B, N> {
-    pub(super) fn new(places: &[[Place; 2]], stretches: Vec<Stretch>) -> Self {
-        let zero = [[Two::from_f64(0.0); B]; B];
+    fn new(places: &[[Place; 2]], ends: [(usize, usize); 2]) -> Self {
+        let zero = Two::from_f64(0.0);
         let twin = |&places| Twin {
-            slots: [[Two::from_f64(0.0); N]; BODIES],
-            inverse: zero,
-            lower: zero,
-            y: [Two::from_f64(0.0); B],
+            slots: [[zero; N]; BODIES],
+            inverse: [[zero; B]; B],
+            lower: [[zero; B]; B],
+            y: [zero; B],
             places,
         };
-        Self { twins: places.iter().map(twin).collect(), stretches, roots: Vec::new() }
+        Self { twins: places.iter().map(twin).collect(), ends, roots: Vec::new() }
     }
 
     pub(super) fn n_joints(&self) -> usize {
@@ -151,23 +177,18 @@ impl<const B: usize, const N: usize> Paths<B, N> {
     /// Keeps the roots of other masses.
     pub(super) fn take_roots(&mut self, of_bodies: &[OfBody]) {
         self.roots.clear();
-        let mut rest = &self.twins[..];
-        for stretch in &self.stretches {
-            let twins;
-            (twins, rest) = rest.split_at(stretch.n_twins);
-            self.roots.extend(twins.first().map(|first| gathered(of_bodies, &first.places, 0)));
-            self.roots.extend(twins.iter().map(|twin| gathered(of_bodies, &twin.places, 1)));
-        }
+        self.roots.extend(self.twins.first().map(|first| gathered(of_bodies, &first.places, 0)));
+        self.roots.extend(self.twins.iter().map(|twin| gathered(of_bodies, &twin.places, 1)));
     }
 
-    /// Eliminates all paths, and hands on what they leave to the joints behind. Returns the smallest pivot.
+    /// Eliminates the paths, and hands on what they leave to the joints behind. Returns the smallest pivot.
     pub(super) fn eliminate<F: Form<B, N>>(
         &mut self,
         nodes: &mut [Node<B, N>],
         given: &Given<'_, N>,
     ) -> Result<f64, VanishedPivot> {
         let (one, zero) = (Two::from_f64(1.0), Two::from_f64(0.0));
-        // zero as long as all numbers are finite, and the denominators are not zero
+        // zero as long as all numbers are finite, and so is one over each denominator
         let (mut smallest, mut not_finite) = (one, zero);
         let swept = self.sweep::<F>(nodes, given, |_, inverse, reciprocal| {
             let all = inverse.pivots.iter().fold(inverse.denominator + reciprocal, |sum, &pivot| sum + pivot);
@@ -177,7 +198,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         });
         let [a, b] = smallest.lanes();
         if swept.is_ok() && a > given.least && b > given.least && not_finite.lanes() == [0.0; 2] {
-            return Ok(if a < b { a } else { b });
+            return Ok(a.min(b));
         }
         Err(self.vanished::<F>(nodes, given))
     }
@@ -205,46 +226,40 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         given: &Given<'_, N>,
         mut judge: impl FnMut(&[Place; 2], &Fraction<B, Two>, Two) -> Result<(), VanishedPivot>,
     ) -> Result<(), VanishedPivot> {
-        let (mut rest, mut roots) = (&mut self.twins[..], &self.roots[..]);
-        for stretch in &self.stretches {
-            let twins;
-            (twins, rest) = std::mem::take(&mut rest).split_at_mut(stretch.n_twins);
-            for (twin, roots) in twins.iter_mut().zip(roots.windows(BODIES)) {
-                twin.slots = given.slots::<F, B>(&twin.places, [&roots[0], &roots[1]]);
+        for (twin, roots) in self.twins.iter_mut().zip(self.roots.windows(BODIES)) {
+            twin.slots = given.slots::<F, B>(&twin.places, [&roots[0], &roots[1]]);
+        }
+        // what the joints before take from a block of D, of which the triangle below is read
+        let mut taken = [[Two::from_f64(0.0); B]; B];
+        let mut rest = &mut self.twins[..];
+        while let Some((twin, later)) = rest.split_first_mut() {
+            let [early, late] = &twin.slots;
+            let mut own = sum(&F::product(early, early), &F::product(late, late));
+            if let Some(damping) = given.damping {
+                let damping = rows::<F, B, N>(&twin.places, damping);
+                (0..B).for_each(|r| own[r][r] = own[r][r] + damping[r]);
             }
-            roots = &roots[stretch.n_twins + 1..];
-            // what the joints before take from a block of D, of which the triangle below is read
-            let mut taken = [[Two::from_f64(0.0); B]; B];
-            let mut behind = twins;
-            while let Some((twin, later)) = behind.split_first_mut() {
-                let [early, late] = &twin.slots;
-                let mut own = sum(&F::product(early, early), &F::product(late, late));
-                if let Some(damping) = given.damping {
-                    let damping = rows::<F, B, N>(&twin.places, damping);
-                    (0..B).for_each(|r| own[r][r] = own[r][r] + damping[r]);
+            let start = from_fn(|r| own[r][r]);
+            let inverse = Fraction::inverse(&from_fn(|c| from_fn(|r| own[c][r] - taken[c][r])), &start);
+            // the products do not wait for the division
+            let reciprocal = Two::from_f64(1.0) / inverse.denominator;
+            judge(&twin.places, &inverse, reciprocal)?;
+            twin.inverse = times(&inverse.numerator, reciprocal);
+            let block = match later.first() {
+                Some(next) => F::product(&next.slots[0], late),
+                None => {
+                    let [one, other] = self.ends.map(|(node, side)| &nodes[node].slots[side]);
+                    F::product(&from_fn(|at| Two::new([one[at], other[at]])), late)
                 }
-                let start = from_fn(|r| own[r][r]);
-                let inverse = Fraction::inverse(&from_fn(|c| from_fn(|r| own[c][r] - taken[c][r])), &start);
-                // the products do not wait for the division
-                let reciprocal = Two::from_f64(1.0) / inverse.denominator;
-                judge(&twin.places, &inverse, reciprocal)?;
-                twin.inverse = times(&inverse.numerator, reciprocal);
-                let block = match later.first() {
-                    Some(next) => F::product(&next.slots[0], late),
-                    None => {
-                        let [one, other] = stretch.ends.map(|(node, side)| &nodes[node].slots[side]);
-                        F::product(&from_fn(|at| Two::new([one[at], other[at]])), late)
-                    }
-                };
-                let scaled = inverse.numerator.map(|of_row| apply(&block, &of_row));
-                taken = product_times(&scaled, &block, reciprocal);
-                twin.lower = times(&scaled, reciprocal);
-                behind = later;
-            }
-            for (lane, (node, _)) in stretch.ends.iter().enumerate() {
-                for (c, column) in nodes[*node].pending.iter_mut().enumerate() {
-                    (c..B).for_each(|r| column[r] -= taken[c][r].lanes()[lane]);
-                }
+            };
+            let scaled = inverse.numerator.map(|of_row| apply(&block, &of_row));
+            taken = product_times(&scaled, &block, reciprocal);
+            twin.lower = times(&scaled, reciprocal);
+            rest = later;
+        }
+        for (lane, (node, _)) in self.ends.iter().enumerate() {
+            for (c, column) in nodes[*node].pending.iter_mut().enumerate() {
+                (c..B).for_each(|r| column[r] -= taken[c][r].lanes()[lane]);
             }
         }
         Ok(())
@@ -252,27 +267,22 @@ impl<const B: usize, const N: usize> Paths<B, N> {
 
     /// `L y = Γ x − s`, as far as the joints behind the paths.
     pub(super) fn forward<F: Form<B, N>>(&mut self, nodes: &mut [Node<B, N>], x: &[OfBody], s: &[f64]) {
-        let mut rest = &mut self.twins[..];
-        for stretch in &self.stretches {
-            let twins;
-            (twins, rest) = std::mem::take(&mut rest).split_at_mut(stretch.n_twins);
-            let Some(first) = twins.first() else { continue };
-            let mut before = gathered(x, &first.places, 0);
-            let mut pulled = [Two::from_f64(0.0); B];
-            for twin in twins {
-                let behind = gathered(x, &twin.places, 1);
-                let mut sum = rows::<F, B, N>(&twin.places, s).map(|s| -s);
-                F::add(&mut sum, &twin.slots[0], &before);
-                F::add(&mut sum, &twin.slots[1], &behind);
-                // what waits for earlier joints comes last
-                subtract(&mut sum, &pulled);
-                twin.y = sum;
-                pulled = apply(&twin.lower, &sum);
-                before = behind;
-            }
-            for (lane, (node, _)) in stretch.ends.iter().enumerate() {
-                subtract(&mut nodes[*node].y, &pulled.map(|y| y.lanes()[lane]));
-            }
+        let Some(first) = self.twins.first() else { return };
+        let mut before = gathered(x, &first.places, 0);
+        let mut pulled = [Two::from_f64(0.0); B];
+        for twin in &mut self.twins {
+            let behind = gathered(x, &twin.places, 1);
+            let mut sum = rows::<F, B, N>(&twin.places, s).map(|s| -s);
+            F::add(&mut sum, &twin.slots[0], &before);
+            F::add(&mut sum, &twin.slots[1], &behind);
+            // what waits for earlier joints comes last
+            subtract(&mut sum, &pulled);
+            twin.y = sum;
+            pulled = apply(&twin.lower, &sum);
+            before = behind;
+        }
+        for (lane, (node, _)) in self.ends.iter().enumerate() {
+            subtract(&mut nodes[*node].y, &pulled.map(|y| y.lanes()[lane]));
         }
     }
 
@@ -284,36 +294,29 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         x: &mut [OfBody],
         mut found: impl FnMut(Rows, &Column<B>),
     ) {
-        let mut rest = &mut self.twins[..];
-        for stretch in self.stretches.iter().rev() {
-            let twins;
-            (rest, twins) = {
-                let n_before = rest.len() - stretch.n_twins;
-                std::mem::take(&mut rest).split_at_mut(n_before)
-            };
-            let Some(last) = twins.last() else { continue };
-            let [one, other] = stretch.ends.map(|(node, _)| &nodes[node].y);
-            let mut y: Column<B, Two> = from_fn(|r| Two::new([one[r], other[r]]));
-            let mut behind = gathered(x, &last.places, 1);
-            let mut places = last.places;
-            for twin in twins.iter_mut().rev() {
-                places = twin.places;
-                let mut solved = apply(&twin.inverse, &twin.y);
-                subtract(&mut solved, &twin.lower.map(|of_row| dot(&of_row, &y)));
-                (twin.y, y) = (solved, solved);
-                let mut before = gathered(x, &places, 0);
-                F::subtract_transposed(&mut behind, &twin.slots[1], &y);
-                F::subtract_transposed(&mut before, &twin.slots[0], &y);
-                for (lane, place) in places.iter().enumerate() {
-                    x[place.bodies[1] as usize] = behind.map(|x| x.lanes()[lane]);
-                    found(place.rows, &y.map(|y| y.lanes()[lane]));
-                }
-                behind = before;
-            }
+        let Some(last) = self.twins.last() else { return };
+        let [one, other] = self.ends.map(|(node, _)| &nodes[node].y);
+        let mut y: Column<B, Two> = from_fn(|r| Two::new([one[r], other[r]]));
+        let mut places = last.places;
+        let mut behind = gathered(x, &places, 1);
+        for twin in self.twins.iter_mut().rev() {
+            places = twin.places;
+            let mut solved = apply(&twin.inverse, &twin.y);
+            subtract(&mut solved, &twin.lower.map(|of_row| dot(&of_row, &y)));
+            (twin.y, y) = (solved, solved);
+            let mut before = gathered(x, &places, 0);
+            F::subtract_transposed(&mut behind, &twin.slots[1], &y);
+            F::subtract_transposed(&mut before, &twin.slots[0], &y);
             for (lane, place) in places.iter().enumerate() {
-                if stretch.begins_with_body[lane] {
-                    x[place.bodies[0] as usize] = behind.map(|x| x.lanes()[lane]);
-                }
+                x[place.bodies[1] as usize] = behind.map(|x| x.lanes()[lane]);
+                found(place.rows, &y.map(|y| y.lanes()[lane]));
+            }
+            behind = before;
+        }
+        for (lane, Place { bodies: [before, of_first], .. }) in places.iter().enumerate() {
+            // one that holds a body alone has none before it
+            if before != of_first {
+                x[*before as usize] = behind.map(|x| x.lanes()[lane]);
             }
         }
     }

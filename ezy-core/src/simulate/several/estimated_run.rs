@@ -143,12 +143,11 @@ fn seconds(method: Method) -> Vec<Method> {
     };
     let relative = tolerance.relative;
     let with = |other: f64| tolerance.with_relative(other);
-    let is_rounding = relative < info.rounding;
-    let floor = if is_rounding { 0.0 } else { method.iteration_floor() }.max(Tolerance::SMALLEST_RELATIVE);
-    let tighter = with(floor.max(info.tighter * relative));
+    // for radau, too, below what its iteration reaches: its steps are shorter all the same
+    let tighter = with(Tolerance::SMALLEST_RELATIVE.max(info.tighter * relative));
     let looser = with(LARGEST_TOLERANCE.min(LOOSER * relative));
     let other = if kind == MethodKind::Dop853 { MethodKind::Taylor } else { MethodKind::Dop853 };
-    let first = if is_rounding { other } else { kind };
+    let first = if relative < info.rounding { other } else { kind };
     [first.with_tolerance(tighter), kind.with_tolerance(looser)].into_iter().flatten().collect()
 }
 
@@ -282,7 +281,7 @@ mod tests {
         assert_eq!(relative_of(Method::dop853(2e-13))[0].0, "dop853");
         assert_eq!(relative_of(Method::dop853(0.5e-13)), [("taylor", 1e-15), ("dop853", 0.5e-13 * 10.0)]);
         assert_eq!(relative_of(Method::taylor(0.5e-13))[0], ("dop853", 1e-15));
-        assert_eq!(relative_of(Method::radau(2e-11))[0], ("radau", Method::radau(2e-11).iteration_floor()));
+        assert_eq!(relative_of(Method::radau(2e-11))[0], ("radau", 2e-11 * 1e-3));
         assert_eq!(relative_of(Method::radau(0.5e-11))[0].0, "dop853");
         assert_eq!(relative_of(Method::radau(0.5))[1], ("radau", 1.0));
         let with = Method::default().with_tolerance(Tolerance::new(1e-6, 1e-3));

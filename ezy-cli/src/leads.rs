@@ -222,7 +222,14 @@ pub(super) fn lead_on(error: &mut clap::Error, program: &Command, models: Models
             if word.starts_with('-') {
                 // the parser takes `-dt` for `-d`
                 let whole = |typed: &&String| typed.starts_with(&word) && !word.starts_with("--");
-                of_option(arguments.iter().find(whole).unwrap_or(&word), program, command, models, arguments)
+                let whole = arguments.iter().find(whole).unwrap_or(&word);
+                let tips = of_option(whole, program, command, models, arguments);
+                // the parser has looked at the options of the command, but not at the words of other tools
+                let guessed = typed(error, ContextKind::SuggestedArg);
+                match nearest_option(whole, guessed.as_deref()).filter(|_| tips.is_empty()) {
+                    Some(meant) => of_option(meant, program, command, models, arguments),
+                    None => tips,
+                }
             } else {
                 of_word(&word, models, arguments)
             }
@@ -408,8 +415,21 @@ pub(super) fn method(name: &str) -> Option<&'static str> {
     VALUES.iter().find(|(option, words, _)| *option == "--method" && has(words, name)).map(|(_, _, ours)| *ours)
 }
 
-/// Slips in a command, as edits of letters.
+/// Slips in a command or an option, as edits of letters.
 const MOST_SLIPS: usize = 2;
+
+/// Letters of an option of other tools that a slip leaves readable.
+const LETTERS_OF_A_SLIP: usize = 4;
+
+/// The option of other tools that was misspelt, unless what is `guessed` is as near.
+fn nearest_option(word: &str, guessed: Option<&str>) -> Option<&'static str> {
+    let name = bare(word.split('=').next().unwrap_or(word));
+    let slips = |known: &str| strsim::damerau_levenshtein(&bare(known), &name);
+    let known = OPTIONS.iter().flat_map(|(words, _)| words.split_whitespace());
+    let near = known.filter(|known| slips(known) <= MOST_SLIPS.min(known.len() / LETTERS_OF_A_SLIP));
+    let nearest = near.min_by_key(|known| slips(known));
+    nearest.filter(|nearest| guessed.is_none_or(|guessed| slips(nearest) < slips(guessed)))
+}
 
 /// A command that there is none of.
 fn of_command(word: &str, program: &Command, models: Models<'_>) -> Vec<String> {
@@ -499,6 +519,8 @@ mod tests {
             ("run a/b --dt 1e-3", "use '--step <H>': Step in seconds"),
             ("run a/b --tol 1e-6", "use '--rtol <R>'"),
             ("run a/b --tolerance=1e-6", "use '--atol <A>'"),
+            ("run a/b --tolerence 1e-6", "use '--rtol <R>'"),
+            ("run a/b --duratoin=3", "use '--until <S>'"),
             ("animate a/b --t-end 3", "use '--until <S>'"),
             ("run a/b -o x.csv", "use '--out <FILE.csv>'"),
             ("run a/b --plot", "use the command 'ezy plot'"),

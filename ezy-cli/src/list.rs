@@ -87,7 +87,7 @@ fn scene_json(info: &SceneInfo) -> Value {
         "name": info.name,
         "documentation": info.documentation.trim(),
         "effects": names(info.effects),
-        "bodies": info.bodies,
+        "bodies": &info.bodies[..],
         "parameters": parameters,
         "counts": counts_json(info),
         "inputs": inputs,

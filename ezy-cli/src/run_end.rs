@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use ezy_core::dynamics::{MotionError, MovedValue};
 use ezy_core::integrate::{Method, Tolerance};
-use ezy_core::model::{Name, SceneInfo};
+use ezy_core::model::{List, Name, SceneInfo};
 use ezy_core::record::Sample;
 use ezy_core::scalar::{legible, legible_time, rounded};
 use ezy_core::simulate::{
@@ -116,7 +116,7 @@ pub(super) fn run_text(run: &Run, free: &[Name], method: Method, radau_runs: boo
     text += &left_out(info.n_coordinates(), "coordinates");
     if info.n_rows() > 0 {
         let mut table = Table::new(["row", "multiplier", "unit"]);
-        for (row, lambda) in info.rows.iter().zip(last.multipliers).take(MAX_LINES) {
+        for (row, lambda) in first(&info.rows).iter().zip(last.multipliers) {
             table.push([row.name.to_string(), fixed(*lambda, 12), row.multiplier_unit.to_owned()]);
         }
         text += &format!("\n{table}{}", left_out(info.n_rows(), "rows"));
@@ -373,9 +373,14 @@ fn left_out(n: usize, what: &str) -> String {
     format!("and {} more {what}; --json or --out FILE.csv has all\n", n - MAX_LINES)
 }
 
+/// What a table lists: a long one is not made as a whole.
+fn first<T: Clone>(list: &List<T>) -> Vec<T> {
+    list.range(0..MAX_LINES.min(list.len()))
+}
+
 fn motion_table(last: &Sample<'_>) -> Table {
     let mut table = Table::new(["coordinate", "value", "velocity", "acceleration", "unit"]);
-    for (i, coordinate) in last.info.coordinates.iter().enumerate().take(MAX_LINES) {
+    for (i, coordinate) in first(&last.info.coordinates).iter().enumerate() {
         let [q, v, a] = [last.coordinates[i], last.velocities[i], last.accelerations[i]].map(|x| fixed(x, 12));
         table.push([&*coordinate.name, &q, &v, &a, coordinate.unit]);
     }

@@ -11,6 +11,8 @@ use crate::model::{
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::ops::Range;
+use std::panic::{RefUnwindSafe, UnwindSafe};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 /// The descriptions of one scene that somebody holds, by counts, and the one that was asked for last.
@@ -32,7 +34,12 @@ impl Known {
 
     /// The description for these counts. `fixed` is what does not depend on them, its `repeats` with the declared
     /// counts and templates; `fill` adds bodies, points and rows.
-    pub fn info(&self, fixed: &SceneInfo, counts: &[usize], fill: impl Fn(&mut Layout)) -> Arc<SceneInfo> {
+    pub fn info(
+        &self,
+        fixed: &SceneInfo,
+        counts: &[usize],
+        fill: impl Fn(&mut Layout) + Send + Sync + UnwindSafe + RefUnwindSafe + 'static,
+    ) -> Arc<SceneInfo> {
         let mut held = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(info) = held.by_counts.get(counts).and_then(Weak::upgrade) {
             held.last = Some(Arc::clone(&info));
@@ -43,7 +50,7 @@ impl Known {
         let large = counts.iter().zip(fixed.counts()).find(|(count, _)| **count > LARGEST_COUNT);
         let large = large.map(|(&count, of)| LayoutFault::LargeCount { name: of.name, count });
         // what cannot be set up is found before anything is
-        let mut counted = Layout { counts_only: true, fault: empty.or(large), ..Layout::default() };
+        let mut counted = Layout { fault: empty.or(large), ..Layout::default() };
         if counted.fault.is_none() {
             fill(&mut counted);
         }
@@ -52,11 +59,11 @@ impl Known {
         held.by_counts.retain(|_, info| info.strong_count() > 0);
         let fault = counted.fault.or_else(|| memory_fault(counted.n_members));
         let is_short_of_memory = matches!(fault, Some(LayoutFault::Memory { .. }));
-        let mut layout = Layout { fault, ..Layout::default() };
+        let mut layout = Layout { pass: Pass::Pattern, fault, ..Layout::default() };
         if layout.fault.is_none() {
             fill(&mut layout);
         }
-        let info = Arc::new(layout.finish(fixed, counts));
+        let info = Arc::new(layout.finish(fixed, counts, Arc::new(fill)));
         // memory may be there the next time
         if !is_short_of_memory {
             held.by_counts.insert(counts.to_vec(), Arc::downgrade(&info));
@@ -66,8 +73,8 @@ impl Known {
     }
 }
 
-/// Bytes that a body or a member of a `for` needs in a run: half of it is its description, the rest is the state, rows and
-/// factors. Measured in chains of 10,000 and 100,000 rods and nets of 10,000 knots: 900 to 1,200.
+/// Bytes that a body or a member of a `for` needs in a run: 750 in a chain of 100,000 rods, 1,200 in a net of 10,000 knots. Names come on
+/// top where somebody reads them, as much again in a chain.
 const BYTES_OF_A_MEMBER: u64 = 1_200;
 
 /// Refuses members that need more memory than there is.
@@ -90,54 +97,89 @@ pub struct Bodies<'l> {
 /// A description that is being made.
 #[derive(Debug, Default)]
 pub struct Layout {
-    /// Whether only members are counted and indices checked.
-    counts_only: bool,
+    pass: Pass,
     /// Bodies and members of `for` so far.
     n_members: usize,
-    n_bodies: usize,
-    bodies: Vec<Name>,
-    coordinates: Vec<CoordinateInfo>,
-    velocities: Vec<CoordinateInfo>,
-    points: Vec<PointInfo>,
-    outputs: Vec<OutputInfo>,
-    position_rows: Rows,
-    velocity_rows: Rows,
+    bodies: Items<Name>,
+    coordinates: Items<CoordinateInfo>,
+    velocities: Items<CoordinateInfo>,
+    points: Items<PointInfo>,
+    outputs: Items<OutputInfo>,
+    position_rows: Items<RowInfo>,
+    velocity_rows: Items<RowInfo>,
+    position_columns: Columns,
+    velocity_columns: Columns,
     /// Constants of members.
     n_constants: usize,
     fault: Option<LayoutFault>,
 }
 
-#[derive(Debug, Default)]
-struct Rows {
-    rows: Vec<RowInfo>,
-    /// End of each row in `columns`.
-    ends: Vec<usize>,
-    columns: Vec<usize>,
+/// What the loops are gone through for.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
+enum Pass {
+    /// Members are counted, and indices checked.
+    #[default]
+    Members,
+    /// Items are counted, and the pattern of the Jacobian is made.
+    Pattern,
+    /// The items that are wanted are made.
+    Items,
 }
+
+/// Items of one list, of which those at some places are made.
+#[derive(Debug)]
+struct Items<T> {
+    /// Those so far.
+    n: usize,
+    wanted: Range<usize>,
+    made: Vec<T>,
+}
+
+impl<T> Default for Items<T> {
+    fn default() -> Self {
+        Self::of(0..0)
+    }
+}
+
+impl<T> Items<T> {
+    fn of(wanted: Range<usize>) -> Self {
+        Self { n: 0, made: Vec::with_capacity(wanted.len()), wanted }
+    }
+
+    fn push(&mut self, make: impl FnOnce() -> T) {
+        if self.wanted.contains(&self.n) {
+            self.made.push(make());
+        }
+        self.n += 1;
+    }
+}
+
+/// The columns of rows of G.
+#[derive(Debug, Default)]
+struct Columns {
+    /// End of each row in `columns`.
+    ends: Vec<u32>,
+    columns: Vec<u32>,
+}
+
+/// The loops of a scene with these counts.
+type Fill = Arc<dyn Fn(&mut Layout) + Send + Sync + UnwindSafe + RefUnwindSafe>;
 
 impl Layout {
     /// Adds a body, or an array of bodies whose members are ordered by their indices, the last one fastest.
     pub fn bodies<'l>(&mut self, name: &'static str, lengths: &'l [usize]) -> Bodies<'l> {
-        let first = self.n_bodies;
+        let first = self.bodies.n;
         let n_members = lengths.iter().fold(1, |n: usize, length| n.saturating_mul(*length));
-        let has_room = self.has_room(n_members);
-        self.n_bodies = self.n_bodies.saturating_add(n_members);
-        if has_room && !self.counts_only {
+        if self.has_room(n_members) {
             for i in 0..n_members {
-                let mut index = vec![0; lengths.len()];
-                let mut rest = i;
-                for (index, length) in index.iter_mut().zip(lengths).rev() {
-                    *index = (rest % length) as i64;
-                    rest /= length;
-                }
-                self.push_body(member(name, &index, ""));
+                self.push_body(name, lengths, i);
             }
         }
         Bodies { name, first, lengths }
     }
 
     /// The indices of a `for`; none once the description is faulty.
-    pub fn range(&mut self, from: i64, to: i64) -> std::ops::Range<i64> {
+    pub fn range(&mut self, from: i64, to: i64) -> Range<i64> {
         let length = usize::try_from(to.saturating_sub(from)).unwrap_or(0);
         if self.has_room(length) { from..to } else { 0..0 }
     }
@@ -150,17 +192,20 @@ impl Layout {
         self.fault.is_none()
     }
 
-    fn push_body(&mut self, name: Name) {
-        let of = |component: &str| Cow::Owned([&name, ".", component].concat());
-        let of_planar = [
-            (&mut self.coordinates, BodyKind::Planar.positions()),
-            (&mut self.velocities, BodyKind::Planar.velocities()),
-        ];
-        for (infos, components) in of_planar {
-            let named = |c: &Component| CoordinateInfo { name: of(c.name), unit: c.unit, symbol: None };
-            infos.extend(components.iter().map(named));
-        }
-        self.bodies.push(name);
+    fn push_body(&mut self, name: &str, lengths: &[usize], i: usize) {
+        let named = |component: &str| {
+            let mut index = vec![0; lengths.len()];
+            let mut rest = i;
+            for (index, length) in index.iter_mut().zip(lengths).rev() {
+                *index = (rest % length) as i64;
+                rest /= length;
+            }
+            member(name, &index, component)
+        };
+        let info = |c: &Component| CoordinateInfo { name: named(&[".", c.name].concat()), unit: c.unit, symbol: None };
+        self.bodies.push(|| named(""));
+        BodyKind::Planar.positions().iter().for_each(|c| self.coordinates.push(|| info(c)));
+        BodyKind::Planar.velocities().iter().for_each(|c| self.velocities.push(|| info(c)));
     }
 
     /// Index among all bodies of a member of an array, which the item `template` with the indices `at` uses. A member
@@ -184,72 +229,91 @@ impl Layout {
 
     /// The rows of the member `at` of a template, on the bodies `slots` that it refers to.
     pub fn rows(&mut self, template: &TemplateInfo, at: &[i64], slots: &[usize]) {
-        if self.fault.is_some() || self.counts_only {
+        if self.fault.is_some() || self.pass == Pass::Members {
             return;
         }
         for row in template.rows {
-            let name = member(template.name, at, row.suffix);
-            let rows = if row.position { &mut self.position_rows } else { &mut self.velocity_rows };
-            rows.columns.extend(row.entries.iter().map(|place| place_of(slots[place.slot], place.component)));
-            rows.ends.push(rows.columns.len());
-            rows.rows.push(RowInfo { name, ..row.row.clone() });
+            let (rows, columns) = match row.position {
+                true => (&mut self.position_rows, &mut self.position_columns),
+                false => (&mut self.velocity_rows, &mut self.velocity_columns),
+            };
+            rows.push(|| RowInfo { name: member(template.name, at, row.suffix), ..row.row.clone() });
+            if self.pass == Pass::Pattern {
+                let places = row.entries.iter().map(|place| place_of(slots[place.slot], place.component) as u32);
+                columns.columns.extend(places);
+                columns.ends.push(columns.columns.len() as u32);
+            }
         }
     }
 
     /// A named point on a body; `None`: on the ground.
     pub fn point(&mut self, name: &str, at: &[i64], body: Option<usize>) {
-        if !self.counts_only {
-            self.points.push(PointInfo { name: member(name, at, ""), body, position: None });
-        }
+        self.points.push(|| PointInfo { name: member(name, at, ""), body, position: None });
     }
 
     /// An output; what stands behind its indices is `suffix`.
     pub fn output(&mut self, output: &OutputInfo, at: &[i64], suffix: &str) {
-        if !self.counts_only {
-            self.outputs.push(OutputInfo { name: member(&output.name, at, suffix), ..output.clone() });
-        }
+        self.outputs.push(|| OutputInfo { name: member(&output.name, at, suffix), ..output.clone() });
     }
 
     /// Counts the constants that members have besides those of the scene. Asks where they stand in `c`, the end last, only where
     /// the sizes are sound.
     pub fn constants<const N: usize>(&mut self, places: impl FnOnce() -> [usize; N]) {
-        if self.fault.is_none() && !self.counts_only {
+        if self.fault.is_none() && self.pass == Pass::Pattern {
             let places = places();
             self.n_constants = places[N - 1] - places[0];
         }
     }
 
-    fn finish(self, fixed: &SceneInfo, counts: &[usize]) -> SceneInfo {
-        let (position, velocity) = (self.position_rows, self.velocity_rows);
-        let n_position_entries = position.columns.len();
-        let ends = position.ends.iter().copied().chain(velocity.ends.iter().map(|end| n_position_entries + end));
-        let starts = std::iter::once(0).chain(ends).collect();
+    fn finish(self, fixed: &SceneInfo, counts: &[usize], fill: Fill) -> SceneInfo {
+        let (position, velocity) = (self.position_columns, self.velocity_columns);
+        let n_position_entries = position.columns.len() as u32;
+        let mut starts = Vec::with_capacity(1 + position.ends.len() + velocity.ends.len());
+        starts.push(0);
+        starts.extend(position.ends);
+        starts.extend(velocity.ends.iter().map(|end| n_position_entries + end));
+        let mut columns = position.columns;
+        columns.extend(velocity.columns);
+        columns.shrink_to_fit();
         let repeats = fixed.repeats.clone();
         SceneInfo {
-            bodies: list(self.bodies),
-            coordinates: list(self.coordinates),
-            velocities: list(self.velocities),
-            points: list(self.points),
-            outputs: list(self.outputs),
+            bodies: list(&self.bodies, &fill, |layout| &mut layout.bodies),
+            coordinates: list(&self.coordinates, &fill, |layout| &mut layout.coordinates),
+            velocities: list(&self.velocities, &fill, |layout| &mut layout.velocities),
+            points: list(&self.points, &fill, |layout| &mut layout.points),
+            outputs: list(&self.outputs, &fill, |layout| &mut layout.outputs),
             n_constants: fixed.n_constants + self.n_constants,
-            n_position_rows: position.rows.len(),
-            rows: both(position.rows, velocity.rows),
-            jacobian: SparsityPattern { starts: list(starts), columns: both(position.columns, velocity.columns) },
-            repeats: repeats.map(|repeats| Repeats { values: list(counts.to_vec()), fault: self.fault, ..repeats }),
+            n_position_rows: self.position_rows.n,
+            rows: list_of_rows([self.position_rows.n, self.velocity_rows.n], fill),
+            jacobian: SparsityPattern::of(starts, columns),
+            repeats: repeats.map(|repeats| Repeats { values: counts.to_vec().into(), fault: self.fault, ..repeats }),
             ..fixed.clone()
         }
     }
 }
 
-/// A list that holds no more memory than it needs.
-fn list<T: Clone>(mut items: Vec<T>) -> List<T> {
-    items.shrink_to_fit();
-    Cow::Owned(items)
+fn list<T>(all: &Items<T>, fill: &Fill, of: fn(&mut Layout) -> &mut Items<T>) -> List<T> {
+    let fill = Arc::clone(fill);
+    List::counted(all.n, move |places| {
+        let mut layout = Layout { pass: Pass::Items, ..Layout::default() };
+        *of(&mut layout) = Items::of(places);
+        fill(&mut layout);
+        std::mem::take(of(&mut layout)).made
+    })
 }
 
-fn both<T: Clone>(mut first: Vec<T>, second: Vec<T>) -> List<T> {
-    first.extend(second);
-    list(first)
+/// Position constraints first.
+fn list_of_rows([n_position, n_velocity]: [usize; 2], fill: Fill) -> List<RowInfo> {
+    List::counted(n_position + n_velocity, move |places| {
+        let position_rows = Items::of(places.start.min(n_position)..places.end.min(n_position));
+        let velocity_rows =
+            Items::of(places.start.max(n_position) - n_position..places.end.max(n_position) - n_position);
+        let mut layout = Layout { pass: Pass::Items, position_rows, velocity_rows, ..Layout::default() };
+        fill(&mut layout);
+        let mut rows = layout.position_rows.made;
+        rows.append(&mut layout.velocity_rows.made);
+        rows
+    })
 }
 
 /// Characters of an index with the bracket or comma before it: those of `i64::MIN` and one.
@@ -288,6 +352,9 @@ fn item_name(template: &TemplateInfo, at: &[i64]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integrate::Method;
+    use crate::model::Scene as _;
+    use crate::simulate::Simulation;
 
     #[test]
     fn analytic_members_that_memory_does_not_hold_are_refused_with_the_figure() {
@@ -297,5 +364,64 @@ mod tests {
         assert!(fault.contains("need about 3.6 GB; the machine has 2.0 GB left: give a smaller count"), "{fault}");
         #[cfg(target_os = "linux")]
         assert!(matches!(memory_fault(usize::MAX >> 20), Some(LayoutFault::Memory { .. })));
+    }
+
+    crate::model! {
+        /// Rods in a row, each with a wheel.
+        pub model Row {
+            count n = 3;
+            body rod[n] { mass: 1, inertia: 1 }
+            hinge top: ground(0, 0) ~ rod[0](-0.5, 0);
+            for i in 1..n { hinge pin[i]: rod[i-1](0.5, 0) ~ rod[i](-0.5, 0); }
+            for i in 0..n { skate wheel[i]: at rod[i](0, 0) along rod[i](1, 0); }
+            for i in 0..n { point tip[i] = rod[i](0.5, 0); }
+            for i in 0..n { output height[i] = rod[i].y; }
+            start level { for i in 0..n { rod[i] angle 0; } at rest; }
+            scene rolls { start level; until 1 s; }
+        }
+    }
+
+    /// Each item alone, then all of them.
+    fn one_by_one<T: Clone + PartialEq + std::fmt::Debug>(list: &List<T>) {
+        let alone: Vec<T> = (0..list.len()).map(|i| list.item(i)).collect();
+        assert!(!list.is_made());
+        assert_eq!((list.range(1..list.len()), alone), (list[1..].to_vec(), list.to_vec()));
+    }
+
+    #[test]
+    fn invariant_items_are_the_same_alone_and_in_their_list() {
+        let info = row::Rolls { n: 4 }.info();
+        assert_eq!([info.bodies.len(), info.rows.len(), info.points.len(), info.outputs.len()], [4, 12, 8, 4]);
+        one_by_one(&info.bodies);
+        one_by_one(&info.coordinates);
+        one_by_one(&info.velocities);
+        one_by_one(&info.points);
+        one_by_one(&info.rows);
+        one_by_one(&info.outputs);
+        let names = [&info.rows[0].name, &info.rows[7].name, &info.rows[8].name, &info.coordinates[11].name];
+        assert_eq!(names, ["top.x", "pin[3].y", "wheel[0]", "rod[3].phi"]);
+    }
+
+    #[test]
+    fn regress_lists_of_scenes_that_cannot_be_set_up_are_empty() {
+        for n in [0, 1 << 40, usize::MAX >> 1] {
+            let info = row::Rolls { n }.info();
+            assert!(info.check_counts().is_err() && info.bodies.is_empty(), "{n}");
+            assert_eq!([info.bodies.iter().count(), info.rows.iter().count(), info.coordinates.iter().count()], [0; 3]);
+        }
+    }
+
+    /// A run looks at names of one row at a time, also where its start gives way.
+    #[test]
+    fn invariant_a_run_makes_no_lists() {
+        let scene = row::Rolls { n: 7 };
+        let order = Simulation::new(&scene).method(Method::rk4(1e-3)).until(2e-3);
+        // a place that the hinge at the top contradicts
+        let run = order.start("rod[0].x", 0.4).project_start().run().unwrap();
+        assert!(run.outcome.reached_end() && !run.moved.is_empty());
+        let monitors = run.monitors.velocity_residual.map(|peak| peak.row);
+        assert!(monitors.is_some());
+        let info = scene.info();
+        assert!(!info.rows.is_made() && !info.bodies.is_made() && !info.points.is_made() && !info.outputs.is_made());
     }
 }

@@ -16,6 +16,7 @@ pub(crate) mod equations;
 mod event;
 mod force_element;
 pub(crate) mod in_lanes;
+mod list;
 mod member;
 mod named;
 pub(crate) mod named_bodies;
@@ -37,6 +38,7 @@ pub use event::{Direction, EventInfo, EventKind, StickSlipInfo, StopInfo};
 pub use force_element::ForceElement;
 pub use in_lanes::N_LANES;
 pub(crate) use in_lanes::{Eight, EquationsInLanes};
+pub use list::List;
 pub use member::ArrayIndex;
 pub use named::{NamedInputs, NamedScene, NoInputs, NoOutputs};
 pub use named_bodies::{BodyArray, BodyState};
@@ -54,7 +56,7 @@ pub use series::SeriesInfo;
 pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
 pub use start::Start;
 use std::borrow::Cow;
-use std::ops::Deref;
+use std::ops::{Deref, Range};
 use std::sync::Arc;
 #[cfg(feature = "analysis")]
 pub use with_derivatives::Derivatives;
@@ -62,9 +64,6 @@ pub use with_derivatives::{EquationsWithDerivatives, N_DERIVATIVES};
 
 /// A name: text of the program, or made at run time for a member of an array. It prints as text and compares with `"x"`.
 pub type Name = Cow<'static, str>;
-
-/// A list of a description: data of the program, or made at run time for a scene with counts.
-pub type List<T> = Cow<'static, [T]>;
 
 /// The three renderings of one expression, all printed from the expression that is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -206,15 +205,20 @@ pub struct EffectInfo {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SparsityPattern {
     /// `n_rows + 1` offsets into `columns`.
-    pub starts: List<usize>,
+    starts: List<u32>,
     /// Column of each stored entry.
-    pub columns: List<usize>,
+    columns: List<u32>,
 }
 
 impl SparsityPattern {
     /// Of data of the program.
-    pub const fn new(starts: &'static [usize], columns: &'static [usize]) -> Self {
+    pub const fn new(starts: &'static [u32], columns: &'static [u32]) -> Self {
         Self { starts: List::Borrowed(starts), columns: List::Borrowed(columns) }
+    }
+
+    /// Made at run time.
+    pub(crate) fn of(starts: Vec<u32>, columns: Vec<u32>) -> Self {
+        Self { starts: List::Owned(starts), columns: List::Owned(columns) }
     }
 
     /// Number of rows.
@@ -227,10 +231,21 @@ impl SparsityPattern {
         self.columns.len()
     }
 
+    /// The indices of the stored entries of a row.
+    #[inline]
+    pub fn row(&self, i: usize) -> Range<usize> {
+        self.starts[i] as usize..self.starts[i + 1] as usize
+    }
+
+    /// The columns of the stored entries of a row.
+    #[inline]
+    pub(crate) fn columns_of(&self, i: usize) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
+        self.columns[self.row(i)].iter().map(|column| *column as usize)
+    }
+
     /// The stored entries in order, as (index of the value, row, column).
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
-        let (starts, columns) = (&*self.starts, &*self.columns);
-        (0..self.n_rows()).flat_map(move |i| (starts[i]..starts[i + 1]).map(move |k| (k, i, columns[k])))
+        (0..self.n_rows()).flat_map(move |i| self.row(i).zip(self.columns_of(i)).map(move |(k, column)| (k, i, column)))
     }
 }
 

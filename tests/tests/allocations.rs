@@ -1,8 +1,9 @@
-//! No step of a run allocates: a run of ten times the steps allocates as often.
+//! No step of a run allocates: a run of ten times the steps allocates as often. What a run holds grows as its bodies.
 
 use ezy_core::prelude::*;
-use ezy_models::{chain, ezy_roller};
+use ezy_models::{chain, ezy_roller, n_four_bar, road_train};
 use ezy_tests::hand_roller::HandRoller;
+use ezy_tests::page::{docs, part, write_part};
 use ezy_tests::piloted::piloted;
 use std::sync::Arc;
 
@@ -146,14 +147,15 @@ fn invariant_radau_steps_do_not_allocate() {
     assert_eq!(allocations(1.0), allocations(10.0));
 }
 
-/// Descriptions that live at once: one that is held, the one that was asked for last, and what it takes to make one.
+/// Descriptions and systems that live at once: one that is held, the one that was asked for last, and what it takes to make one.
 const LIVE_AT_ONCE: f64 = 3.0;
 
 #[test]
 fn invariant_descriptions_are_freed_when_nobody_holds_them() {
     let describe = |n: usize| ladder::Swing { n }.info();
     describe(1);
-    let largest = allocation_counter::measure(|| drop(describe(1000))).bytes_max as f64;
+    let used = |n: usize| drop(System::new(&ladder::Swing { n }, Backend::Auto).unwrap());
+    let largest = allocation_counter::measure(|| used(1000)).bytes_max as f64;
     describe(1);
     let held = Arc::downgrade(&describe(1));
     let all = allocation_counter::measure(|| {
@@ -161,7 +163,7 @@ fn invariant_descriptions_are_freed_when_nobody_holds_them() {
             let info = describe(n);
             assert_eq!(info.bodies.len(), 2 * n);
             if n % 200 == 0 {
-                drop(System::new(&ladder::Swing { n }, Backend::Auto).unwrap());
+                used(n);
             }
         }
         assert!(held.upgrade().is_none());
@@ -169,8 +171,8 @@ fn invariant_descriptions_are_freed_when_nobody_holds_them() {
         describe(1);
     });
     assert_eq!((all.bytes_current, all.count_current), (0, 0));
-    println!("largest description {largest} bytes, at most {} at once", all.bytes_max);
-    assert!(all.bytes_max as f64 <= LIVE_AT_ONCE * largest, "{all:?}, one description {largest}");
+    println!("largest description, used, {largest} bytes, at most {} at once", all.bytes_max);
+    assert!(all.bytes_max as f64 <= LIVE_AT_ONCE * largest, "{all:?}, one description, used, {largest}");
 }
 
 /// Share by which bytes of a member grow when indices get a digit more.
@@ -180,14 +182,62 @@ const LONGER_NAMES: f64 = 0.02;
 fn order_description_is_one_in_the_count() {
     let cost = |n: usize| {
         ladder::Slide { n: 1 }.info();
-        let mut info = None;
-        let cost = allocation_counter::measure(|| info = Some(ladder::Slide { n }.info()));
-        assert_eq!(info.map(|info| info.bodies.len()), Some(2 * n));
-        [cost.bytes_current as f64, cost.bytes_max as f64, cost.count_total as f64]
+        let cost = allocation_counter::measure(|| {
+            let info = ladder::Slide { n }.info();
+            // made when it is read
+            let names = [info.coordinates.iter(), info.velocities.iter()].into_iter().flatten().map(|c| &c.name);
+            let names = names.chain(info.rows.iter().map(|row| &row.name)).chain(&info.bodies);
+            let names = names.chain(info.points.iter().map(|point| &point.name));
+            let names = names.chain(info.outputs.iter().map(|output| &output.name));
+            // bodies, two positions and three velocities of each, two rows of a hinge and one of a skate, points with the hinges, outputs
+            assert_eq!(names.count(), n * (2 + 6 + 6 + 2 + 1 + 2 + 1));
+        });
+        [cost.bytes_total as f64, cost.bytes_max as f64, cost.count_total as f64]
     };
     let [small, large] = [1000, 2000].map(cost);
-    println!("n = 1000: {small:?}, n = 2000: {large:?} (bytes kept, bytes at once, allocations)");
+    println!("n = 1000: {small:?}, n = 2000: {large:?} (bytes, bytes at once, allocations)");
     for (small, large) in small.iter().zip(large) {
         assert!(*small > 1000.0 && large <= (2.0 + LONGER_NAMES) * small, "{small}, then {large}");
     }
+}
+
+/// Bytes that a run of two steps holds at once, of a scene with `n` members.
+fn bytes_of_a_run(scene: &dyn Scene) -> f64 {
+    let order = Simulation::new(scene).method(Method::rk4(1e-3)).until(2e-3);
+    let all = allocation_counter::measure(|| assert!(order.run().unwrap().outcome.reached_end()));
+    all.bytes_max as f64
+}
+
+/// A scene, what one member of it is, and the bytes of a run with so many.
+type Measured<'a> = (&'a str, &'a str, &'a dyn Fn(usize) -> f64);
+
+/// Share by which another compiler may pack structs.
+const PACKED: f64 = 0.01;
+
+/// `UPDATE_GOLDEN=1 cargo test -p ezy-tests --test allocations bytes` writes the table anew.
+#[test]
+fn regress_bytes_of_a_member_are_those_of_the_page() {
+    let chain = |n| bytes_of_a_run(&chain::Swing { n, ..Default::default() });
+    let train = |n| bytes_of_a_run(&road_train::Circling { n, ..Default::default() });
+    let loops = |n| bytes_of_a_run(&n_four_bar::Fall { n, ..Default::default() });
+    let runs: [Measured<'_>; 3] = [
+        ("`chain/swing`", "rod, with a hinge", &chain),
+        ("`roadtrain/circling`", "trailer, with a hinge and a skate", &train),
+        ("`nfourbar/fall`", "four-bar, of two bars and three hinges", &loops),
+    ];
+    let bytes = runs.map(|(.., run)| (run(2000) - run(1000)) / 1000.0);
+    let rows = runs.iter().zip(bytes).map(|((scene, what, _), bytes)| format!("| {scene} | {what} | {bytes:.0} |\n"));
+    let now = format!("| scene | a member | bytes |\n|---|---|---:|\n{}", rows.collect::<String>());
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        write_part("cost.md", "bytes", &now).unwrap();
+    }
+    let page = std::fs::read_to_string(docs("cost.md")).unwrap();
+    let told = part(&page, "bytes").unwrap().lines().skip(2).map(|line| {
+        let cell = line.trim_end_matches([' ', '|']).rsplit(' ').next().unwrap();
+        cell.parse::<f64>().unwrap()
+    });
+    assert!(
+        told.clone().count() == bytes.len() && told.zip(bytes).all(|(told, now)| (told - now).abs() <= PACKED * now),
+        "{now}"
+    );
 }

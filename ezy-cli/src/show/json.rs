@@ -33,7 +33,7 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
                 json!({ "name": e.name, "text": e.text, "latex": e.latex, "mathml": e.mathml })
             }),
         })),
-        "bodies": info.bodies,
+        "bodies": &info.bodies[..],
         "coordinates": list(&*info.coordinates, |c| json!(c.name)),
         "parameters": list(info.parameters, declared),
         "inputs": list(info.inputs, declared),

@@ -249,7 +249,7 @@ impl<K: Eliminating<T>, T: Scalar> Projecting<T> for SystemOf<K, T> {
             }
             if passes == MAX_PASSES {
                 let worst = rows.iter().position(|c| c.extent() == residual).unwrap_or(0);
-                let (row, tolerance) = (self.info.rows[worst].name.clone(), tolerance(worst));
+                let (row, tolerance) = (self.info.rows.item(worst).name, tolerance(worst));
                 return Err(MotionError::ProjectionStalled { t, residual, row, passes, tolerance });
             }
             self.residual[n_h..].fill(T::from_f64(0.0));
@@ -272,7 +272,7 @@ impl<K: Eliminating<T>, T: Scalar> Projecting<T> for SystemOf<K, T> {
 pub(crate) fn check_pivots(info: &SceneInfo, pivots: Pivots, t: f64) -> Result<(), MotionError> {
     let Some(vanished) = pivots.first_vanished() else { return Ok(()) };
     let row = vanished.min(info.n_rows().saturating_sub(1));
-    Err(MotionError::LostPivot { t, row: info.rows[row].name.clone() })
+    Err(MotionError::LostPivot { t, row: info.rows.item(row).name })
 }
 
 /// Largest extent; NaN when there is one.

@@ -43,7 +43,8 @@ pub(super) enum Made {
 }
 
 impl Factors {
-    pub(super) fn new([n_q, n_v]: [usize; 2], n_rows: usize, jacobian: Vec<f64>) -> Self {
+    /// `eliminates`: whether the scene has an elimination that gives more than what was asked for.
+    pub(super) fn new([n_q, n_v]: [usize; 2], n_rows: usize, jacobian: Vec<f64>, eliminates: bool) -> Self {
         Self {
             t: f64::NAN,
             q: vec![0.0; n_q],
@@ -52,7 +53,7 @@ impl Factors {
             jacobian,
             dense: None,
             damped: None,
-            ahead: Ahead::new([n_q, n_v], n_rows),
+            ahead: if eliminates { Ahead::new([n_q, n_v], n_rows) } else { Ahead::new([0; 2], 0) },
             rank: None,
             right_side: vec![0.0; n_v + n_rows],
             is_solved: false,

@@ -1,9 +1,12 @@
 //! Corrections of a start: given values stay, the others take the residual away.
 
+use super::System;
 use super::assembly::Assembly;
+use super::factors::Solver;
 use super::max_abs;
+use super::system::sparse;
 use super::tolerances::start::{DAMPING, FOLLOWED, LARGEST_DENSE_START, RANK_TOLERANCE};
-use crate::linalg::{HAS_SPARSE, KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
+use crate::linalg::{HAS_SPARSE, singular_values, weights, write_diagonal};
 use crate::model::{Equations as _, SceneRef};
 use nalgebra::{DMatrix, DVector};
 
@@ -52,32 +55,32 @@ impl<P: SceneRef> Assembly<'_, P> {
         HAS_SPARSE && self.system.info.n_velocities() > LARGEST_DENSE_START
     }
 
-    /// By `[W Gᵀ; G −D] [δ; μ] = [0; −r]` over the free coordinates, with D a small share of `G W⁻¹ Gᵀ`.
-    fn sparse_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
-        let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
-        let mut place = vec![None; given.len()];
-        free.iter().enumerate().for_each(|(i, &column)| place[column] = Some(i));
-        let root_weight = root_weights(&self.system.mass);
-        let weight: Vec<f64> = free.iter().map(|&i| root_weight[i] * root_weight[i]).collect();
-        let (mut entries, mut jacobian) = (Vec::new(), Vec::new());
-        for (k, row, column) in self.system.info.jacobian.entries().filter(|e| e.1 < n_rows) {
-            if let Some(i) = place[column] {
-                entries.push((row, i));
-                jacobian.push(self.system.buffers.jacobian[k]);
+    /// By `[W Gᵀ; G −D] [δ; μ] = [0; −r]`, with D a small share of `G W⁻¹ Gᵀ`: what is given has no entries in G, and rows beyond the first
+    /// `n_rows` have none either. Where the system has sparse factors, these are made anew for it.
+    fn sparse_correction(&mut self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
+        let System { info, mass, solver, factors, buffers, .. } = &mut *self.system;
+        let mut own;
+        let kkt = match solver {
+            Solver::Sparse(kkt) => kkt.as_mut(),
+            Solver::Dense | Solver::Generated => {
+                own = sparse(info).ok()?;
+                own.as_mut()
             }
-        }
-        let mut damping = vec![0.0; n_rows];
-        let places = entries.iter().enumerate().map(|(k, &(row, column))| (k, row, column));
-        write_diagonal(places, &weight, &jacobian, &mut damping);
+        };
+        let (n_v, n_c) = (info.n_velocities(), info.n_rows());
+        let weight = weights(mass);
+        let is_left_out = |row: usize, column: usize| row >= n_rows || given[column];
+        info.jacobian.entries().filter(|e| is_left_out(e.1, e.2)).for_each(|(k, ..)| buffers.jacobian[k] = 0.0);
+        let mut damping = vec![0.0; n_c];
+        write_diagonal(info.jacobian.entries(), &weight, &buffers.jacobian, &mut damping);
         damping.iter_mut().for_each(|d| *d *= DAMPING);
-        let mut kkt = SparseKkt::from_entries(free.len(), n_rows, entries).ok()?;
-        kkt.factor_damped(&weight, &jacobian, &damping).ok()?;
-        let mut solution = vec![0.0; free.len()];
-        solution.extend(self.system.buffers.residual[..n_rows].iter().map(|r| -r));
+        factors.forget();
+        kkt.factor_damped(&weight, &buffers.jacobian, &damping).ok()?;
+        let mut solution = vec![0.0; n_v + n_c];
+        solution[n_v..].iter_mut().zip(&buffers.residual[..n_rows]).for_each(|(s, r)| *s = -r);
         kkt.solve(&mut solution);
-        let mut step = vec![0.0; given.len()];
-        free.iter().zip(&solution).for_each(|(&column, x)| step[column] = *x);
-        Some(step)
+        solution.truncate(n_v);
+        Some(solution)
     }
 
     /// By singular values over the free coordinates, rows in units of their sizes. What has mass takes away what massless
@@ -142,11 +145,6 @@ fn range(G: DMatrix<f64>) -> Option<DMatrix<f64>> {
 
 fn cutoff(singular_values: &DVector<f64>) -> f64 {
     (RANK_TOLERANCE * singular_values.max()).max(f64::MIN_POSITIVE)
-}
-
-/// Square roots of M for the sparse correction, with substitutes for coordinates without mass.
-fn root_weights(mass: &[f64]) -> Vec<f64> {
-    weights(mass).into_iter().map(f64::sqrt).collect()
 }
 
 #[cfg(test)]

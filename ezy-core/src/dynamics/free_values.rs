@@ -18,9 +18,8 @@ impl<P: SceneRef> Assembly<'_, P> {
         let positions = self.free_places(state, n_h, &body_kind::held(&self.system.info.kinds, &start.q_given));
         let moves = start.v_given.iter().zip(&start.v).any(|(given, v)| *given && *v != 0.0);
         let velocities = if moves { self.free_places(state, n_c, &start.v_given) } else { Vec::new() };
-        let coordinates = &self.system.info.coordinates;
         let moved = body_kind::coordinates_moved(&self.system.info.kinds, self.system.info.n_velocities());
-        let positions = positions.iter().map(|&i| coordinates[moved[i]].name.clone());
+        let positions = positions.iter().map(|&i| self.system.info.coordinates[moved[i]].name.clone());
         positions.chain(velocities.iter().map(|&i| self.system.info.velocities[i].name.clone())).collect()
     }
 

@@ -1,7 +1,7 @@
 //! How large a mechanism is, so that a watch and a crane are held to the same digits.
 
 use super::tolerances::geometry::{LARGEST_VALUE, ROUNDING_OF_ROWS, TOLERANCE};
-use crate::model::{CoordinateInfo, SceneInfo, Start, body_kind};
+use crate::model::{BodyKind, Component, SceneInfo, Start, body_kind};
 
 /// Lengths that say what is small, read once off the slopes of the rows at the scene's start.
 #[derive(Clone)]
@@ -16,15 +16,16 @@ pub(super) struct Geometry {
     pub turns: Vec<bool>,
     /// Which coordinates are lengths.
     pub lengths: Vec<bool>,
-    /// The coordinate that each velocity moves.
-    pub moved: Vec<usize>,
+    /// The coordinate that each velocity moves; none where all bodies are planar.
+    moved: Vec<usize>,
 }
 
 impl Geometry {
     /// From the entries of G at the coordinates of a start; those that are not finite there say nothing.
     pub(super) fn new(info: &SceneInfo, jacobian: &[f64], start: &Start) -> Self {
-        let turns: Vec<bool> = info.velocities.iter().map(CoordinateInfo::is_angle).collect();
-        let lengths: Vec<bool> = info.coordinates.iter().map(CoordinateInfo::is_length).collect();
+        let turns: Vec<bool> = info.components(BodyKind::velocities).map(Component::is_angle).collect();
+        let lengths: Vec<bool> = info.components(BodyKind::positions).map(Component::is_length).collect();
+        debug_assert_eq!([lengths.len(), turns.len()], [info.n_coordinates(), info.n_velocities()]);
         let entries = || info.jacobian.entries().map(|(k, row, column)| (jacobian[k].abs(), row, column));
         let mut longest = vec![0.0_f64; info.n_rows()];
         for (g, row, _) in entries().filter(|(g, _, column)| g.is_finite() && !turns[*column]) {
@@ -52,8 +53,14 @@ impl Geometry {
             sizes[row] = sizes[row].max(if turns[column] { g } else { g * length });
         }
         sizes.iter_mut().filter(|size| **size == 0.0).for_each(|size| *size = 1.0);
-        let moved = body_kind::coordinates_moved(&info.kinds, info.n_velocities());
+        let moved =
+            if info.is_planar() { Vec::new() } else { body_kind::coordinates_moved(&info.kinds, info.n_velocities()) };
         Self { length, sizes, units: levers, turns, lengths, moved }
+    }
+
+    /// The coordinate that a velocity moves.
+    pub(super) fn coordinate_of(&self, velocity: usize) -> usize {
+        self.moved.get(velocity).copied().unwrap_or(velocity)
     }
 
     /// Largest of coordinates, in units of the length; angles and parts of quaternions as they are.
@@ -155,7 +162,7 @@ mod tests {
     fn geometry() -> Geometry {
         let (turns, lengths) = (vec![false, false, true], vec![true, true, false]);
         let units = vec![1.0, 1.0, 3.0];
-        Geometry { length: 2.0, sizes: vec![4.0, 0.5, 1.0], units, turns, lengths, moved: vec![0, 1, 2] }
+        Geometry { length: 2.0, sizes: vec![4.0, 0.5, 1.0], units, turns, lengths, moved: Vec::new() }
     }
 
     /// Rounding of a product or two.

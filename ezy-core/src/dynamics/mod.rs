@@ -144,8 +144,8 @@ pub(crate) fn not_finite<T: Scalar>(info: &SceneInfo, q: &[T], v: &[T]) -> Optio
     let first = |x: &[T]| x.iter().position(|x| !x.is_finite());
     match (are_finite(q), are_finite(v)) {
         (true, true) => None,
-        (true, false) => first(v).map(|i| info.velocities[i].name.clone()),
-        (false, _) => first(q).map(|i| info.coordinates[i].name.clone()),
+        (true, false) => first(v).map(|i| info.velocities.item(i).name),
+        (false, _) => first(q).map(|i| info.coordinates.item(i).name),
     }
 }
 

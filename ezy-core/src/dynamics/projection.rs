@@ -240,7 +240,7 @@ impl<P: SceneRef> Projector<'_, P> {
                 return Err(if solved.is_rank_deficient && self.independent_rows_are_met(t, q) {
                     self.system.diagnosis().disagreement(t, q, "the positions", norm, tolerance)
                 } else {
-                    let row = self.system.info.rows[worst.row].name.clone();
+                    let row = self.system.info.rows.item(worst.row).name;
                     MotionError::ProjectionStalled { t, residual: norm, row, passes, tolerance }
                 });
             }
@@ -269,7 +269,7 @@ impl<P: SceneRef> Projector<'_, P> {
         scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), jacobian);
         sums.fill(0.0);
         for (k, row, column) in info.jacobian.entries() {
-            let x = q[geometry.moved[column]].abs();
+            let x = q[geometry.coordinate_of(column)].abs();
             let size = match geometry.turns[column] {
                 true if passes < PASSES_TO_ROUNDING => 1.0,
                 true => x.max(1.0),

@@ -68,8 +68,7 @@ impl<P: SceneRef> Configuration<'_, P> {
         }
         let pattern = &info.jacobian;
         for (i, row) in rows.iter_mut().enumerate() {
-            let places = pattern.starts[i]..pattern.starts[i + 1];
-            for (g, &j) in buffers.jacobian[places.clone()].iter().zip(&pattern.columns[places]) {
+            for (g, j) in buffers.jacobian[pattern.row(i)].iter().zip(pattern.columns_of(i)) {
                 forces[j] -= g * lambda[i];
                 *row += g * a[j];
             }

@@ -36,8 +36,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
         let sines = sines.at(q);
         scene.velocity_jacobian_with_sines(fixed, t, q, sines, &mut buffers.jacobian);
         scene.convective_term_with_sines(fixed, t, q, v, sines, &mut buffers.residual);
-        let places = info.jacobian.starts[row]..info.jacobian.starts[row + 1];
-        let entries = places.map(|k| (buffers.jacobian[k], info.jacobian.columns[k]));
+        let entries = buffers.jacobian[info.jacobian.row(row)].iter().zip(info.jacobian.columns_of(row));
         let (mut acceleration, mut terms) = (buffers.residual[row], 0.0);
         for (g, j) in entries {
             acceleration += g * a[j];

@@ -5,7 +5,7 @@ use super::moved::MovedValue;
 use super::tolerances::geometry::LARGEST_VALUE;
 use super::tolerances::start::{LARGEST_TURN, LAST_DIGITS, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
 use super::{StartError, State, System, max_abs};
-use crate::model::{CoordinateInfo, Name, SceneRef, Start, body_kind};
+use crate::model::{CoordinateInfo, List, Name, SceneRef, Start, body_kind};
 use crate::scalar::GOLDEN_RATIO;
 
 /// What a place leaves of the position constraints.
@@ -55,7 +55,10 @@ impl<P: SceneRef> System<P> {
         let geometry = &self.geometry;
         let speed = geometry.extent_of_velocities(&start.v).max(geometry.extent_of_velocities(&state.v));
         let size_of = |info: &CoordinateInfo| if info.is_length() { geometry.length } else { 1.0 };
-        let moved = |infos: &[CoordinateInfo], near: &[bool], given: &[f64], got: &[f64], speed: f64| {
+        let moved = |infos: &List<CoordinateInfo>, near: &[bool], given: &[f64], got: &[f64], speed: f64| {
+            if !near.contains(&true) {
+                return Vec::new();
+            }
             let values = infos.iter().zip(near).zip(given).zip(got).filter(|(((_, near), _), _)| **near);
             let moved =
                 values.filter(|(((info, _), given), got)| (*got - *given).abs() > LAST_DIGITS * size_of(info) * speed);
@@ -84,52 +87,58 @@ impl<P: SceneRef> Assembly<'_, P> {
         body_kind::normalize(&self.system.info.kinds, &mut state.q);
         state.v.copy_from_slice(&start.v);
         let free = start.without_near();
-        if let Err(error) = self.assemble_positions(start, &mut state.q) {
-            let Some(free) = &free else { return Err(error) };
+        if !self.assemble_positions(start, &mut state.q) {
+            let Some(free) = &free else { return Err(self.contradicted_positions(start, &state.q)) };
             let guess = state.q.clone();
             // from the best that could be done while they were held; centres give way before angles
             let mut angles = start.clone();
             (0..angles.q.len())
                 .filter(|&i| self.system.geometry.lengths[i])
                 .for_each(|i| angles.q_given[i] = free.q_given[i]);
-            if self.assemble_positions(&angles, &mut state.q).is_err() {
-                self.assemble_positions(free, &mut state.q)?;
+            if !self.assemble_positions(&angles, &mut state.q) {
+                if !self.assemble_positions(free, &mut state.q) {
+                    return Err(self.contradicted_positions(free, &state.q));
+                }
                 self.check_mode(start, &guess, &state)?;
             }
         }
-        self.assemble_velocities(start, &state.q, &mut state.v).or_else(|error| match &free {
-            Some(free) => self.assemble_velocities(free, &state.q, &mut state.v),
-            None => Err(error),
-        })?;
+        if !self.assemble_velocities(start, &state.q, &mut state.v) {
+            let Some(free) = &free else { return Err(self.contradicted_velocities(start, &state.q, &state.v)) };
+            if !self.assemble_velocities(free, &state.q, &mut state.v) {
+                return Err(self.contradicted_velocities(free, &state.q, &state.v));
+            }
+        }
         Ok(state)
     }
 
     fn check_finite(&self, start: &Start) -> Result<(), StartError> {
-        let positions = self.system.info.coordinates.iter().map(|c| &c.name).zip(&start.q);
-        let velocities = self.system.info.velocities.iter().map(|c| &c.name).zip(&start.v);
         let (expected, found) = (self.system.info.n_states(), start.z.len());
         if found > expected {
             return Err(StartError::States { expected, found });
         }
         if let Some(body) = body_kind::without_attitude(&self.system.info.kinds, &start.q) {
-            return Err(StartError::NoAttitude { body: self.system.info.bodies[body].clone() });
+            return Err(StartError::NoAttitude { body: self.system.info.bodies.item(body) });
         }
         let states = self.system.info.states.iter().map(|state| state.name).zip(&start.z);
         if let Some((name, &value)) = states.clone().find(|(_, value)| !value.is_finite()) {
             return Err(StartError::NotFinite { name: name.into(), value });
         }
-        for (name, &value) in positions.chain(velocities) {
-            if !value.is_finite() {
-                return Err(StartError::NotFinite { name: name.clone(), value });
-            }
-            if value.abs() > LARGEST_VALUE {
-                return Err(StartError::TooLarge { name: name.clone(), value, largest: LARGEST_VALUE });
+        for (infos, values) in [(&self.system.info.coordinates, &start.q), (&self.system.info.velocities, &start.v)] {
+            let name = |i: usize| infos.item(i).name;
+            if let Some((i, &value)) =
+                values.iter().enumerate().find(|(_, x)| !x.is_finite() || x.abs() > LARGEST_VALUE)
+            {
+                return Err(match value.is_finite() {
+                    true => StartError::TooLarge { name: name(i), value, largest: LARGEST_VALUE },
+                    false => StartError::NotFinite { name: name(i), value },
+                });
             }
         }
         Ok(())
     }
 
-    fn assemble_positions(&mut self, start: &Start, q: &mut [f64]) -> Result<(), StartError> {
+    /// Whether the position constraints are met with what `start` gives held.
+    fn assemble_positions(&mut self, start: &Start, q: &mut [f64]) -> bool {
         let held = body_kind::held(&self.system.info.kinds, &start.q_given);
         let mut left = self.approach(start.t, &held, q);
         let mut trial = q.to_vec();
@@ -145,20 +154,16 @@ impl<P: SceneRef> Assembly<'_, P> {
                 left = other;
             }
         }
-        if left.is_met() {
-            return Ok(());
-        }
+        left.is_met()
+    }
+
+    fn contradicted_positions(&mut self, start: &Start, q: &[f64]) -> StartError {
         self.system.position_residual(start.t, q);
-        let held = start
-            .q_given
-            .iter()
-            .zip(&*self.system.info.coordinates)
-            .filter(|(given, _)| **given)
-            .map(|(_, c)| c.name.clone());
+        let held = held_names(&self.system.info.coordinates, &start.q_given);
         let extent = self.system.geometry.extent(q);
         let tolerances =
             (0..self.system.info.n_position_rows).map(|row| self.system.geometry.position_tolerance(row, extent));
-        Err(self.contradiction("position", &tolerances.collect::<Vec<_>>(), held.collect()))
+        self.contradiction("position", &tolerances.collect::<Vec<_>>(), held)
     }
 
     /// Gauss–Newton from `q` as far as it goes, with steps halved until they shorten the residual. Rows that are met at the
@@ -221,19 +226,16 @@ impl<P: SceneRef> Assembly<'_, P> {
         self.system.retract(q, &by);
     }
 
-    fn assemble_velocities(&mut self, start: &Start, q: &[f64], v: &mut [f64]) -> Result<(), StartError> {
+    /// Whether all rows are met at velocity level with what `start` gives held.
+    fn assemble_velocities(&mut self, start: &Start, q: &[f64], v: &mut [f64]) -> bool {
         let (t, n_c) = (start.t, self.system.info.n_rows());
         let mut trial = vec![0.0; v.len()];
-        // what moves by itself: rows that depend on time
-        self.system.velocity_residual(t, q, &trial);
-        let drive = self.system.geometry.share(&self.system.buffers.residual);
-        // where the guess can only come to rest, what is left of it is rounding
-        let drive = drive.max(self.system.geometry.extent_of_velocities(&start.v));
+        let drive = self.drive(start, q);
         let mut excess = self.velocity_excess(t, q, v, drive);
         let mut length = self.residual_length(n_c);
         for _ in 0..MAX_PASSES {
             if excess <= 1.0 {
-                return Ok(());
+                break;
             }
             self.system.velocity_residual(t, q, v);
             let Some(step) = self.free_correction(t, q, n_c, &start.v_given) else { break };
@@ -246,15 +248,23 @@ impl<P: SceneRef> Assembly<'_, P> {
             v.copy_from_slice(&trial);
             (excess, length) = (trial_excess, trial_length);
         }
-        if excess <= 1.0 {
-            return Ok(());
-        }
-        self.system.velocity_residual(t, q, v);
-        let names = self.system.info.velocities.iter().map(|c| &c.name);
-        let held = start.v_given.iter().zip(names).filter(|(given, _)| **given).map(|(_, name)| name.clone());
+        excess <= 1.0
+    }
+
+    /// What moves by itself: rows that depend on time. Where the guess can only come to rest, what is left of it is rounding.
+    fn drive(&mut self, start: &Start, q: &[f64]) -> f64 {
+        self.system.velocity_residual(start.t, q, &vec![0.0; start.v.len()]);
+        let share = self.system.geometry.share(&self.system.buffers.residual);
+        share.max(self.system.geometry.extent_of_velocities(&start.v))
+    }
+
+    fn contradicted_velocities(&mut self, start: &Start, q: &[f64], v: &[f64]) -> StartError {
+        let drive = self.drive(start, q);
+        self.system.velocity_residual(start.t, q, v);
+        let held = held_names(&self.system.info.velocities, &start.v_given);
         let extent = self.system.geometry.extent_of_velocities(v).max(drive);
-        let tolerances = (0..n_c).map(|row| self.system.geometry.velocity_tolerance(row, extent));
-        Err(self.contradiction("velocity", &tolerances.collect::<Vec<_>>(), held.collect()))
+        let tolerances = (0..self.system.info.n_rows()).map(|row| self.system.geometry.velocity_tolerance(row, extent));
+        self.contradiction("velocity", &tolerances.collect::<Vec<_>>(), held)
     }
 
     fn velocity_excess(&mut self, t: f64, q: &[f64], v: &[f64], drive: f64) -> f64 {
@@ -274,7 +284,7 @@ impl<P: SceneRef> Assembly<'_, P> {
     fn contradiction(&self, level: &'static str, tolerances: &[f64], held: Vec<Name>) -> StartError {
         let residual = &self.system.buffers.residual[..tolerances.len()];
         if let Some(i) = residual.iter().position(|r| !r.is_finite()) {
-            return StartError::UndefinedRow { row: self.system.info.rows[i].name.clone() };
+            return StartError::UndefinedRow { row: self.system.info.rows.item(i).name };
         }
         let mut rows: Vec<usize> = (0..residual.len()).filter(|&i| residual[i].abs() > tolerances[i]).collect();
         rows.sort_by(|&i, &j| residual[j].abs().total_cmp(&residual[i].abs()));
@@ -282,6 +292,10 @@ impl<P: SceneRef> Assembly<'_, P> {
         let rows = rows.into_iter().map(|i| self.system.info.rows[i].name.clone()).collect();
         StartError::Contradiction { level, rows, residual: max_abs(residual), tolerance, held }
     }
+}
+
+fn held_names(infos: &[CoordinateInfo], given: &[bool]) -> Vec<Name> {
+    infos.iter().zip(given).filter(|(_, given)| **given).map(|(info, _)| info.name.clone()).collect()
 }
 
 #[cfg(test)]

@@ -73,7 +73,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
         let (i, _) = largest(accelerations())?;
         let info = Arc::clone(&self.system.info);
         let moved = body_kind::coordinates_moved(&info.kinds, a.len());
-        let coordinate = |i: usize| info.coordinates[moved[i]].name.clone();
+        let coordinate = |i: usize| info.coordinates.item(moved[i]).name;
         let source = match largest(forces()) {
             Some((j, _)) if SQRT_2 * norm(forces()) >= norm(accelerations()) => {
                 let effect = self.busiest_effect(t, q, v, lambda);
@@ -91,7 +91,7 @@ impl<P: SceneRef> Diagnosis<'_, P> {
         let entries = self.system.info.jacobian.entries().filter(|(_, _, column)| *column == i);
         let reactions = entries.map(|(k, row, _)| (row, -self.system.buffers.jacobian[k] * lambda[row]));
         let (row, force) = reactions.max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()))?;
-        Some(StrainSource::Reaction { row: self.system.info.rows[row].name.clone(), force })
+        Some(StrainSource::Reaction { row: self.system.info.rows.item(row).name, force })
     }
 
     fn busiest_effect(&self, t: f64, q: &[f64], v: &[f64], lambda: &[f64]) -> Option<&'static str> {

@@ -98,12 +98,13 @@ impl<P: SceneRef> System<P> {
         }
         let takes_sines = scene.takes_sines();
         let needs_pivots = is_out_of_range || geometry.lightness(&mass) < LIGHTEST;
+        let solver = solver(&info, &mass, needs_pivots, backend)?;
         Ok(Self {
             scene,
-            solver: solver(&info, &mass, needs_pivots, backend)?,
             geometry,
             active,
-            factors: Factors::new([n_q, n_v], n_c, jacobian.clone()),
+            factors: Factors::new([n_q, n_v], n_c, jacobian.clone(), matches!(solver, Solver::Generated)),
+            solver,
             sines: Sines::new(n_q, takes_sines),
             fixed,
             integrated,
@@ -270,7 +271,8 @@ fn without_elimination(info: &SceneInfo) -> Result<Solver, SystemError> {
     sparse(info).map(Solver::Sparse)
 }
 
-fn sparse(info: &SceneInfo) -> Result<Box<dyn KktFactorization>, SystemError> {
+/// Factors over blocks of joints where they cost less, else those of K.
+pub(super) fn sparse(info: &SceneInfo) -> Result<Box<dyn KktFactorization>, SystemError> {
     if !HAS_SPARSE {
         return Err(SystemError::WithoutSparse { scene: info.name });
     }
@@ -294,7 +296,7 @@ pub fn described_solver(info: &SceneInfo) -> Option<(Backend, String)> {
 
 /// Body and kind of the mass that stands at entry `i` of the diagonal of M.
 fn body_of(info: &SceneInfo, i: usize) -> (Name, &'static str) {
-    let velocity = &info.velocities[i];
+    let velocity = info.velocities.item(i);
     let body = velocity.name.rsplit_once('.').map_or(&*velocity.name, |(body, _)| body);
     (body.to_owned().into(), if velocity.is_angle() { "inertia" } else { "mass" })
 }

@@ -4,15 +4,40 @@ use super::order::minimum_degree;
 use super::tolerances::sizes::{HUB_ROWS, PRODUCTS_PER_JOINT};
 use crate::model::SparsityPattern;
 use crate::model::coordinate::{N_OF_BODY, body_and_component};
-use std::collections::{HashMap, VecDeque};
+use std::ops::Deref;
 
 /// Up to three rows, as many as a weld has, one behind the other, that hold the same bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Joint {
     pub first_row: usize,
     pub n_rows: usize,
-    /// Bodies that it holds, ascending.
-    pub bodies: Vec<usize>,
+    pub bodies: HeldBodies,
+}
+
+/// Bodies that a joint holds, ascending.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct HeldBodies {
+    n: usize,
+    all: [u32; BODIES],
+}
+
+impl HeldBodies {
+    /// None where there are too many.
+    fn new(mut bodies: Vec<u32>) -> Option<Self> {
+        bodies.sort_unstable();
+        bodies.dedup();
+        let mut held = Self { n: bodies.len(), all: [0; BODIES] };
+        held.all.get_mut(..held.n)?.copy_from_slice(&bodies);
+        Some(held)
+    }
+}
+
+impl Deref for HeldBodies {
+    type Target = [u32];
+
+    fn deref(&self) -> &[u32] {
+        &self.all[..self.n]
+    }
 }
 
 impl Joint {
@@ -20,12 +45,12 @@ impl Joint {
     pub(super) fn entries(&self, pattern: &SparsityPattern) -> impl Iterator<Item = (usize, usize, usize)> {
         (0..self.n_rows).flat_map(move |r| {
             let row = self.first_row + r;
-            (pattern.starts[row]..pattern.starts[row + 1]).map(move |entry| (entry, r, pattern.columns[entry]))
+            pattern.row(row).zip(pattern.columns_of(row)).map(move |(entry, column)| (entry, r, column))
         })
     }
 
     /// The place of a body among those that it holds.
-    pub(super) fn side_of(&self, body: usize) -> Option<usize> {
+    pub(super) fn side_of(&self, body: u32) -> Option<usize> {
         self.bodies.iter().position(|&other| other == body)
     }
 }
@@ -49,7 +74,7 @@ impl Plan {
         let joints = joints(pattern, n_rows)?;
         let mut of_body = vec![Vec::new(); n_q.div_ceil(N_OF_BODY)];
         for (k, joint) in joints.iter().enumerate() {
-            joint.bodies.iter().for_each(|&body| of_body[body].push(k));
+            joint.bodies.iter().for_each(|&body| of_body[body as usize].push(k));
         }
         let n_rows_of = |list: &[usize]| list.iter().map(|&k| joints[k].n_rows).sum::<usize>();
         if of_body.iter().any(|list| n_rows_of(list) > HUB_ROWS) {
@@ -104,19 +129,14 @@ impl Plan {
 fn joints(pattern: &SparsityPattern, n_rows: usize) -> Option<Vec<Joint>> {
     let mut joints: Vec<Joint> = Vec::new();
     for row in 0..n_rows {
-        let columns = &pattern.columns[pattern.starts[row]..pattern.starts[row + 1]];
-        let mut unique = columns.to_vec();
+        let columns = pattern.columns_of(row);
+        let mut unique: Vec<usize> = columns.clone().collect();
         unique.sort_unstable();
         unique.dedup();
         if unique.len() < columns.len() {
             return None;
         }
-        let mut bodies: Vec<usize> = columns.iter().map(|&column| body_and_component(column).0).collect();
-        bodies.sort_unstable();
-        bodies.dedup();
-        if bodies.len() > BODIES {
-            return None;
-        }
+        let bodies = HeldBodies::new(columns.map(|column| body_and_component(column).0 as u32).collect())?;
         match joints.last_mut() {
             Some(last) if last.bodies == bodies && last.n_rows < 3 => last.n_rows += 1,
             _ => joints.push(Joint { first_row: row, n_rows: 1, bodies }),
@@ -130,12 +150,13 @@ fn joints(pattern: &SparsityPattern, n_rows: usize) -> Option<Vec<Joint>> {
 fn inwards(joints: &[Joint], of_body: &[Vec<usize>]) -> Vec<usize> {
     let mut is_placed = vec![false; joints.len()];
     let mut outwards = Vec::with_capacity(joints.len());
+    let mut came_from = vec![None; joints.len()];
     for first in 0..joints.len() {
         if is_placed[first] {
             continue;
         }
-        let one_end = farthest(first, joints, of_body)[0];
-        let path = farthest(one_end, joints, of_body);
+        let one_end = farthest(first, joints, of_body, &mut came_from)[0];
+        let path = farthest(one_end, joints, of_body, &mut came_from);
         let middle = path[path.len() / 2];
         is_placed[middle] = true;
         let mut next = outwards.len();
@@ -172,28 +193,30 @@ fn paths(joints: &[Joint], later: &[Vec<usize>]) -> Vec<Vec<usize>> {
 
 /// Joints that share a body with one; some more than once.
 fn neighbours<'a>(k: usize, joints: &'a [Joint], of_body: &'a [Vec<usize>]) -> impl Iterator<Item = usize> + 'a {
-    joints[k].bodies.iter().flat_map(move |&body| of_body[body].iter().copied()).filter(move |&other| other != k)
+    joints[k]
+        .bodies
+        .iter()
+        .flat_map(move |&body| of_body[body as usize].iter().copied())
+        .filter(move |&other| other != k)
 }
 
-/// The way back from the joint that is farthest from another one.
-fn farthest(from: usize, joints: &[Joint], of_body: &[Vec<usize>]) -> Vec<usize> {
-    let mut came_from = HashMap::from([(from, from)]);
-    let (mut queue, mut last) = (VecDeque::from([from]), from);
-    while let Some(k) = queue.pop_front() {
-        last = k;
+/// The way back from the joint that is farthest from another one. All of `came_from` is none, before and after.
+fn farthest(from: usize, joints: &[Joint], of_body: &[Vec<usize>], came_from: &mut [Option<u32>]) -> Vec<usize> {
+    let mut reached = vec![from];
+    came_from[from] = Some(from as u32);
+    let mut next = 0;
+    while let Some(&k) = reached.get(next) {
         for neighbour in neighbours(k, joints, of_body) {
-            came_from.entry(neighbour).or_insert_with(|| {
-                queue.push_back(neighbour);
-                k
-            });
+            if came_from[neighbour].is_none() {
+                came_from[neighbour] = Some(k as u32);
+                reached.push(neighbour);
+            }
         }
+        next += 1;
     }
-    let mut path = vec![last];
-    while let Some(&k) = path.last()
-        && came_from[&k] != k
-    {
-        path.push(came_from[&k]);
-    }
+    let back = |&k: &usize| came_from[k].map(|before| before as usize).filter(|&before| before != k);
+    let path = std::iter::successors(reached.last().copied(), back).collect();
+    reached.iter().for_each(|&k| came_from[k] = None);
     path
 }
 

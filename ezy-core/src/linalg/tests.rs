@@ -34,8 +34,8 @@ impl Numbers {
 /// Rows that touch the given columns.
 fn pattern(rows: &[&[usize]]) -> SparsityPattern {
     let mut starts = vec![0];
-    rows.iter().for_each(|row| starts.push(starts[starts.len() - 1] + row.len()));
-    SparsityPattern { starts: starts.into(), columns: rows.concat().into() }
+    rows.iter().for_each(|row| starts.push(starts[starts.len() - 1] + row.len() as u32));
+    SparsityPattern::of(starts, rows.concat().iter().map(|column| *column as u32).collect())
 }
 
 /// `[r; s] − [M Gᵀ; G −Δ] [x; y]`, the largest entry.
@@ -251,7 +251,8 @@ fn invariant_a_vanished_pivot_is_that_of_its_row() {
     kkt.factor(&mass, &jacobian).unwrap();
     for joint in 0..9 {
         let mut repeated = jacobian.clone();
-        let [first, second, third] = [2 * joint, 2 * joint + 1, 2 * joint + 2].map(|row| pattern.starts[row]);
+        let [first, second] = [2 * joint, 2 * joint + 1].map(|row| pattern.row(row));
+        let (first, second, third) = (first.start, second.start, second.end);
         (second..third).for_each(|entry| repeated[entry] = 2.0 * jacobian[entry - second + first]);
         let vanished = kkt.factor(&mass, &repeated).expect_err("twice the first row");
         assert!(vanished.row == Some(2 * joint + 1) && vanished.relative.abs() <= 1e-13, "{joint}: {vanished:?}");

@@ -25,6 +25,18 @@ pub struct Component {
     pub unit: &'static str,
 }
 
+impl Component {
+    /// Whether it is an angle, or the rate of one.
+    pub(crate) fn is_angle(&self) -> bool {
+        matches!(self.unit, "rad" | "rad/s")
+    }
+
+    /// Whether it is a length, or the rate of one.
+    pub(crate) fn is_length(&self) -> bool {
+        matches!(self.unit, "m" | "m/s")
+    }
+}
+
 /// Names and units of a table.
 const fn all<const N: usize>(of: [(&'static str, &'static str); N]) -> [Component; N] {
     let mut table = [Component { name: "", unit: "" }; N];

@@ -1,6 +1,6 @@
 //! What a scene says about itself: names, sizes, formulas, equations.
 
-use super::body_kind::BodyKind;
+use super::body_kind::{BodyKind, Component};
 use super::event::{EventInfo, StickSlipInfo, StopInfo};
 use super::repeats::{CountInfo, LayoutFault, Repeats};
 use super::series::SeriesInfo;
@@ -151,6 +151,15 @@ impl SceneInfo {
             first += n;
             first - n..first
         })
+    }
+
+    /// The components of all bodies, by what a body of each kind has.
+    pub(crate) fn components(
+        &self,
+        of: fn(BodyKind) -> &'static [Component],
+    ) -> impl Iterator<Item = &'static Component> {
+        let kind = |i| self.kinds.get(i).copied().unwrap_or_default();
+        (0..self.bodies.len()).flat_map(move |i| of(kind(i)))
     }
 
     /// Whether all bodies are planar, so that q' = v.

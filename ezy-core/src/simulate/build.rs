@@ -40,6 +40,8 @@ impl Simulation<'_, &dyn Scene> {
         let mut stepper = solver.stepper(system, wanted.work)?;
         stepper.place(&state);
         let watch = Watch::new(&mut stepper.system, &state, limits, solver.projection, wanted.work);
+        // a long chain has better use for their memory
+        drop((start, state));
         let modes = Modes::new(&stepper).map(Box::new);
         let Hooks { recorder, caller, .. } = self.hooks;
         let plan = Plan { schedule, sampling, recorder, caller, events };

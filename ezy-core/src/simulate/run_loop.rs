@@ -119,7 +119,7 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
         let cost = Cost { steps, rejected, evaluations, factorizations, seconds, processor_seconds };
         let (mut events, stiff_since_s) = (self.detector.occurred, self.stepper.stiff_since());
         let rounding_j = self.stepper.system.diagnosis().work_of_rounding(&self.stepper.now.lambda);
-        let mut monitors = self.watch.monitors(rounding_j);
+        let mut monitors = self.watch.monitors(self.stepper.system.info(), rounding_j);
         if let Some(modes) = self.modes {
             monitors.softest_impact = modes.softest;
             events.extend(modes.occurred);

@@ -364,11 +364,11 @@ pub fn event(event: &SceneEvent, printed: &Printed) -> TokenStream {
 }
 
 /// Row starts and columns of G.
-fn pattern(equations: &Equations) -> (Vec<usize>, Vec<usize>) {
+fn pattern(equations: &Equations) -> (Vec<u32>, Vec<u32>) {
     let (mut starts, mut columns) = (vec![0], Vec::new());
     for row in &equations.constraints.jacobian {
-        columns.extend(row.iter().map(|(column, _)| *column));
-        starts.push(columns.len());
+        columns.extend(row.iter().map(|(column, _)| *column as u32));
+        starts.push(columns.len() as u32);
     }
     (starts, columns)
 }

@@ -42,7 +42,8 @@ pub fn access(model: &Model) -> TokenStream {
     quote! {
         fn info(&self) -> ::std::sync::Arc<ezy::SceneInfo> {
             static KNOWN: ezy::Known = ezy::Known::new();
-            KNOWN.info(&Self::FIXED, &[#(self.#counts),*], |layout| self.describe(layout))
+            let scene = self.clone();
+            KNOWN.info(&Self::FIXED, &[#(self.#counts),*], move |layout| scene.describe(layout))
         }
     }
 }

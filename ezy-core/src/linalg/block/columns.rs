@@ -151,7 +151,7 @@ impl<const B: usize, const N: usize> Columns<B, N> {
                 lower: [[0.0; B]; B],
                 y: [0.0; B],
                 bodies: bodies(joint),
-                first_entry: pattern.starts[joint.first_row] as u32,
+                first_entry: pattern.row(joint.first_row).start as u32,
                 layout,
                 rows: Rows::new(joint),
                 next: next as u32,
@@ -171,7 +171,7 @@ impl<const B: usize, const N: usize> Columns<B, N> {
 
 /// Those that a joint holds; one that is held alone stands twice.
 pub(super) fn bodies(joint: &Joint) -> [u32; BODIES] {
-    from_fn(|i| joint.bodies.get(i).or(joint.bodies.first()).map_or(0, |&body| body as u32))
+    from_fn(|i| joint.bodies.get(i).or(joint.bodies.first()).copied().unwrap_or_default())
 }
 
 /// Where the entries of a joint stand, among the layouts.
@@ -183,8 +183,8 @@ pub(super) fn layout<F: Form<B, N>, const B: usize, const N: usize>(
     let mut own = [[u32::MAX; N]; BODIES];
     for (entry, row, column) in joint.entries(pattern) {
         let (body, component) = body_and_component(column);
-        if let (Some(side), Some(at)) = (joint.side_of(body), F::place(row, component)) {
-            own[side][at] = (entry - pattern.starts[joint.first_row]) as u32;
+        if let (Some(side), Some(at)) = (joint.side_of(body as u32), F::place(row, component)) {
+            own[side][at] = (entry - pattern.row(joint.first_row).start) as u32;
         }
     }
     let known = layouts.iter().position(|known| *known == own);

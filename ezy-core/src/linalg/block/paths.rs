@@ -69,7 +69,7 @@ pub(super) fn paths<F: Form<B, N>, const B: usize, const N: usize>(
         if is_turned {
             bodies.swap(0, 1);
         }
-        let first_entry = pattern.starts[joint.first_row] as u32;
+        let first_entry = pattern.row(joint.first_row).start as u32;
         let layout = layout::<F, B, N>(joint, pattern, layouts);
         Place { bodies, first_entry, layout, rows: Rows::new(joint), is_turned }
     };

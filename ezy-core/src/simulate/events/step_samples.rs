@@ -16,6 +16,7 @@ pub(super) struct StepSamples {
     values: Vec<Vec<f64>>,
     /// Values at a time that is tried.
     tried: Vec<f64>,
+    /// A state within the step; none without functions.
     place: State,
 }
 
@@ -28,7 +29,7 @@ impl StepSamples {
             times: vec![0.0; n_places],
             values: vec![vec![0.0; n]; n_places],
             tried: vec![0.0; n],
-            place: stepper.now.state.clone(),
+            place: if n > 0 { stepper.now.state.clone() } else { State::zeros([0; 2], 0, 0) },
         }
     }
 

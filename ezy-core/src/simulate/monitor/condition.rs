@@ -24,17 +24,6 @@ pub struct ConditionPeak {
     pub rounding: f64,
 }
 
-impl ConditionPeak {
-    /// Becomes what was found. The name is written over the last one, since a step does not allocate.
-    fn see(&mut self, info: &SceneInfo, found: Conditioning, t: f64) {
-        (self.largest, self.pivot, self.t) = (found.condition, found.pivot, t);
-        match found.row {
-            Some(row) => self.unknown.get_or_insert_default().clone_from(&info.rows[row].name),
-            None => self.unknown = None,
-        }
-    }
-}
-
 /// The estimates of a run under way.
 pub(super) struct ConditionWatch {
     estimator: ConditionEstimator,
@@ -43,7 +32,11 @@ pub(super) struct ConditionWatch {
     /// Rows at the start.
     n_rows: usize,
     n_between: u64,
-    pub peak: ConditionPeak,
+    at_start: f64,
+    largest: Conditioning,
+    /// Time of the largest, s.
+    t: f64,
+    rounding: f64,
 }
 
 impl ConditionWatch {
@@ -55,13 +48,11 @@ impl ConditionWatch {
             return None;
         }
         let mut estimator = system.diagnosis().condition_estimator();
-        let conditioning = system.diagnosis().conditioning(start.t, &start.q, &mut estimator);
-        let Conditioning { condition: at_start, pivot, .. } = conditioning;
-        let peak = ConditionPeak { at_start, largest: at_start, pivot, unknown: None, t: start.t, rounding: 0.0 };
+        let largest = system.diagnosis().conditioning(start.t, &start.q, &mut estimator);
+        let (at_start, t) = (largest.condition, start.t);
         let found = [start.v.len(), system.info().n_rows()].map(|n| vec![0.0; n]);
         let n_between = FEWEST_BETWEEN.max((n * n) as u64);
-        let mut watch = Box::new(Self { estimator, found, n_rows, n_between, peak });
-        watch.peak.see(system.info(), conditioning, start.t);
+        let mut watch = Box::new(Self { estimator, found, n_rows, n_between, at_start, largest, t, rounding: 0.0 });
         watch.see_rounding(system, start, at_start);
         Some(watch)
     }
@@ -70,11 +61,11 @@ impl ConditionWatch {
         if !condition.is_finite() {
             return;
         }
-        let Self { estimator, found: [a, lambda], peak, .. } = self;
+        let Self { estimator, found: [a, lambda], rounding, .. } = self;
         let State { t, q, v, z, .. } = state;
         system.place_states(z);
         let of_multipliers = system.diagnosis().rounding_of_multipliers(*t, q, v, (a, lambda), estimator);
-        peak.rounding = peak.rounding.max(of_multipliers).max(condition * f64::EPSILON);
+        *rounding = rounding.max(of_multipliers).max(condition * f64::EPSILON);
     }
 
     /// Estimates after step `n_steps` when it is due, or at the end; only with the constraints of the start.
@@ -84,10 +75,16 @@ impl ConditionWatch {
         }
         let found = system.diagnosis().conditioning(state.t, &state.q, &mut self.estimator);
         let condition = found.condition;
-        if condition > self.peak.largest {
-            self.peak.see(system.info(), found, state.t);
+        if condition > self.largest.condition {
+            (self.largest, self.t) = (found, state.t);
         }
         self.see_rounding(system, state, condition);
+    }
+
+    pub(super) fn peak(&self, info: &SceneInfo) -> ConditionPeak {
+        let Self { at_start, largest: Conditioning { condition, pivot, row }, t, rounding, .. } = *self;
+        let unknown = row.map(|row| info.rows.item(row).name);
+        ConditionPeak { at_start, largest: condition, pivot, unknown, t, rounding }
     }
 }
 
@@ -121,7 +118,7 @@ mod tests {
         let scene = guided::Turns::default();
         let mut system = system_of(&scene, Backend::Dense).unwrap();
         let mut watch = ConditionWatch::new(&mut system, &at(0.0, 0.5)).unwrap();
-        let at_start = watch.peak.clone();
+        let at_start = watch.peak(system.info());
         assert!(
             at_start.largest == at_start.at_start && at_start.t == 0.0 && at_start.unknown.is_some(),
             "{at_start:?}"
@@ -134,12 +131,12 @@ mod tests {
             (5.0, 0.05, 8194, true, 5.0),
         ] {
             watch.look(&mut system, &at(t, phi), n_steps, last);
-            assert_eq!(watch.peak.t, peak_at, "at {t}");
-            assert_eq!(watch.peak.at_start, at_start.at_start);
+            assert_eq!(watch.t, peak_at, "at {t}");
+            assert_eq!(watch.at_start, at_start.at_start);
         }
         // it goes with the square of the angle: 100 times as large, but for a factor of three of the estimate
-        let grown = watch.peak.largest / at_start.largest;
-        assert!((30.0..300.0).contains(&grown) && watch.peak.pivot < 0.2 * at_start.pivot, "{grown}");
+        let grown = watch.largest.condition / at_start.largest;
+        assert!((30.0..300.0).contains(&grown) && watch.peak(system.info()).pivot < 0.2 * at_start.pivot, "{grown}");
     }
 
     crate::model! {

@@ -7,9 +7,8 @@ use super::residuals::ResidualWatch;
 use super::steps::StepWatch;
 use super::{EnergyError, ExceededLimit, LeastPivot, Limits, Monitors};
 use crate::dynamics::{Projected, Projection, Rows, State, System};
-use crate::model::SceneRef;
+use crate::model::{SceneInfo, SceneRef};
 use crate::simulate::tolerances::monitors::N_BETWEEN_LOOKS;
-use std::sync::Arc;
 
 /// The monitors of a run under way.
 pub(in crate::simulate) struct Watch {
@@ -32,20 +31,19 @@ impl Watch {
         projection: Projection,
         work: bool,
     ) -> Self {
-        let info = Arc::clone(system.info());
         let State { t, q, v, .. } = start;
         system.counters().take_least_pivot();
         let [n_position_rows, n_rows] = system.active().n_on();
         let (of_positions, of_rows) = (n_position_rows > 0, n_rows > 0);
         let position = of_positions.then(|| system.projector().worst_position(*t, q));
         let velocity = of_rows.then(|| system.projector().worst_velocity(*t, q, v));
-        let measured = work || info.n_effects() == 0;
+        let measured = work || system.info().n_effects() == 0;
         Self {
             limits,
             projection,
             steps: StepWatch::new(*t),
-            positions: ResidualWatch::new("position", position, projection.positions(), *t, &info),
-            velocities: ResidualWatch::new("velocity", velocity, projection.velocities(), *t, &info),
+            positions: ResidualWatch::new("position", position, projection.positions(), *t),
+            velocities: ResidualWatch::new("velocity", velocity, projection.velocities(), *t),
             pivot: of_rows.then(|| LeastPivot { value: system.at_with(*t, q, Rows::Held).pivot_at_hand(), t: *t }),
             condition: ConditionWatch::new(system, start),
             energy: measured.then(|| EnergyWatch::new(system, start)),
@@ -104,7 +102,7 @@ impl Watch {
             return Ok(());
         }
         let worst = if self.projection.positions() {
-            self.positions.see_removed(projected.positions_before, state.t, system.info());
+            self.positions.see_removed(projected.positions_before, state.t);
             projected.positions_after
         } else {
             system.projector().worst_position(state.t, &state.q)
@@ -123,7 +121,7 @@ impl Watch {
             return Ok(());
         }
         if self.projection.velocities() {
-            self.velocities.see_removed(projected.velocities_before, state.t, system.info());
+            self.velocities.see_removed(projected.velocities_before, state.t);
         }
         let looks = last || self.limits.drift.is_finite() || self.steps.n.is_multiple_of(N_BETWEEN_LOOKS);
         if !looks {
@@ -139,19 +137,21 @@ impl Watch {
     }
 
     /// What was watched, beside impacts. An energy balance below `rounding_j`, J, is rounding.
-    pub(crate) fn monitors(&self, rounding_j: f64) -> Monitors {
+    pub(crate) fn monitors(&self, info: &SceneInfo, rounding_j: f64) -> Monitors {
         let without_rounding = |energy: EnergyError| match energy.joules.abs() <= rounding_j {
             true => EnergyError { relative: 0.0, ..energy },
             false => energy,
         };
+        let [position_residual, position_drift] = self.positions.peaks(info);
+        let [velocity_residual, velocity_drift] = self.velocities.peaks(info);
         Monitors {
-            position_residual: self.positions.residual.clone(),
-            velocity_residual: self.velocities.residual.clone(),
-            position_drift: self.positions.drift.clone(),
-            velocity_drift: self.velocities.drift.clone(),
+            position_residual,
+            velocity_residual,
+            position_drift,
+            velocity_drift,
             pivot: self.pivot,
             energy: self.energy.as_ref().map(|energy| without_rounding(energy.largest)),
-            condition: self.condition.as_ref().map(|condition| condition.peak.clone()),
+            condition: self.condition.as_ref().map(|condition| condition.peak(info)),
             softest_impact: None,
             steps_s: self.steps.range_s(),
         }

@@ -366,7 +366,7 @@ pub(in crate::simulate) fn check_angles<T: Scalar>(
     match tolerance.unresolved(&state.q).zip(tolerance.angle) {
         None => Ok(()),
         Some(((i, spacing), tolerance)) => {
-            let (name, angle) = (info.coordinates[i].name.clone(), state.q[i].magnitude());
+            let (name, angle) = (info.coordinates.item(i).name, state.q[i].magnitude());
             Err(MotionError::AngleUnresolved { t: state.t, name, angle, spacing, tolerance })
         }
     }

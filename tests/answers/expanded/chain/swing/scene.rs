@@ -2,7 +2,8 @@
 impl ezy::Scene for Swing {
     fn info(&self) -> ::std::sync::Arc<ezy::SceneInfo> {
         static KNOWN: ezy::Known = ezy::Known::new();
-        KNOWN.info(&Self::FIXED, &[self.n], |layout| self.describe(layout))
+        let scene = self.clone();
+        KNOWN.info(&Self::FIXED, &[self.n], move |layout| scene.describe(layout))
     }
     fn parameter(&self, index: usize) -> f64 {
         match index {

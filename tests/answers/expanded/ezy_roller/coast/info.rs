@@ -396,10 +396,10 @@ impl Coast {
         until_s: 1f64,
         n_constants: 46usize,
         jacobian: ezy::SparsityPattern::new(
-            &[0usize, 4usize, 8usize, 11usize, 14usize],
+            &[0u32, 4u32, 8u32, 11u32, 14u32],
             &[
-                0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize, 0usize,
-                1usize, 2usize, 3usize, 4usize, 5usize,
+                0u32, 2u32, 3u32, 5u32, 1u32, 2u32, 4u32, 5u32, 0u32, 1u32, 2u32, 3u32,
+                4u32, 5u32,
             ],
         ),
         jacobian_entries: &[

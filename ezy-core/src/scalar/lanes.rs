@@ -8,11 +8,9 @@
 mod sin_cos;
 #[cfg(test)]
 mod tests;
-mod widest;
 
-use super::Scalar;
+use super::{Scalar, in_widest};
 use std::ops::Neg;
-pub(crate) use widest::in_widest;
 
 /// `L` numbers that go through the same operations, one a trajectory; 4 and 8 fill vector registers.
 ///

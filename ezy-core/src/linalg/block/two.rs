@@ -1,5 +1,6 @@
 //! The numbers that blocks consist of.
 
+use crate::scalar::register;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number, or two of them in one vector register.
@@ -14,76 +15,6 @@ impl Number for f64 {
     fn from_f64(x: f64) -> Self {
         x
     }
-}
-
-/// Two numbers that go through the same operations, as the instructions of the machine have them: of arrays the compiler would make vectors of its own choice.
-#[cfg(target_arch = "x86_64")]
-mod register {
-    use pulp::core_arch::x86::Sse2;
-    use std::arch::x86_64::__m128d;
-
-    pub(super) type Register = __m128d;
-
-    /// Known when it is compiled.
-    #[inline(always)]
-    fn sse2() -> Sse2 {
-        Sse2::try_new().expect("every x86-64 processor has SSE2")
-    }
-
-    #[inline(always)]
-    pub(super) fn of([first, second]: [f64; 2]) -> Register {
-        sse2()._mm_set_pd(second, first)
-    }
-
-    #[inline(always)]
-    pub(super) fn lanes(register: Register) -> [f64; 2] {
-        let second = sse2()._mm_unpackhi_pd(register, register);
-        [register, second].map(|register| sse2()._mm_cvtsd_f64(register))
-    }
-
-    macro_rules! operations {
-        ($($name:ident: $instruction:ident)*) => {
-            $(#[inline(always)]
-            pub(super) fn $name(a: Register, b: Register) -> Register {
-                sse2().$instruction(a, b)
-            })*
-        };
-    }
-    operations!(add: _mm_add_pd sub: _mm_sub_pd mul: _mm_mul_pd div: _mm_div_pd min: _mm_min_pd);
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-mod register {
-    pub(super) type Register = [f64; 2];
-
-    #[inline(always)]
-    pub(super) fn of(lanes: [f64; 2]) -> Register {
-        lanes
-    }
-
-    #[inline(always)]
-    pub(super) fn lanes(register: Register) -> [f64; 2] {
-        register
-    }
-
-    macro_rules! operations {
-        ($($name:ident: |$a:ident, $b:ident| $result:expr;)*) => {
-            $(#[inline(always)]
-            pub(super) fn $name(a: Register, b: Register) -> Register {
-                std::array::from_fn(|lane| {
-                    let ($a, $b) = (a[lane], b[lane]);
-                    $result
-                })
-            })*
-        };
-    }
-    operations!(
-        add: |a, b| a + b;
-        sub: |a, b| a - b;
-        mul: |a, b| a * b;
-        div: |a, b| a / b;
-        min: |a, b| if a < b { a } else { b };
-    );
 }
 
 /// Two numbers in one register.

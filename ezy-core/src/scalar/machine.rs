@@ -1,0 +1,116 @@
+//! Instructions of the machine at hand, in a build for any machine of its kind.
+
+/// What `f` returns, compiled for the widest vector registers of this machine. Only what is inlined into `f` is compiled so: its loops over
+/// lanes, and functions that are `#[inline(always)]`.
+///
+/// No two operations are fused that the base build keeps apart, so that the result has the same bits on every machine.
+#[inline(always)]
+pub(crate) fn in_widest<F: FnOnce() -> R, R>(f: F) -> R {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") {
+        // SAFETY: `in_avx2` needs a processor with AVX2, and this one has it
+        return unsafe { in_avx2(f) };
+    }
+    f()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn in_avx2<F: FnOnce() -> R, R>(f: F) -> R {
+    f()
+}
+
+/// Two numbers that go through the same operations, as the instructions of the machine have them: of arrays the compiler would make vectors of its own choice.
+#[cfg(all(feature = "sparse", target_arch = "x86_64"))]
+pub(crate) mod register {
+    use std::arch::x86_64::{
+        __m128d, _mm_add_pd, _mm_cvtsd_f64, _mm_div_pd, _mm_min_pd, _mm_mul_pd, _mm_set_pd, _mm_sub_pd, _mm_unpackhi_pd,
+    };
+
+    pub(crate) type Register = __m128d;
+
+    macro_rules! operations {
+        ($($name:ident: $instruction:ident($($of:ident: $kind:ty),*) -> $result:ty;)*) => {
+            $(#[inline(always)]
+            pub(crate) fn $name($($of: $kind),*) -> $result {
+                // SAFETY: every x86-64 processor has SSE2, and these instructions touch no memory
+                unsafe { $instruction($($of),*) }
+            })*
+        };
+    }
+    operations!(
+        add: _mm_add_pd(a: Register, b: Register) -> Register;
+        sub: _mm_sub_pd(a: Register, b: Register) -> Register;
+        mul: _mm_mul_pd(a: Register, b: Register) -> Register;
+        div: _mm_div_pd(a: Register, b: Register) -> Register;
+        min: _mm_min_pd(a: Register, b: Register) -> Register;
+        of_second_and_first: _mm_set_pd(second: f64, first: f64) -> Register;
+        first: _mm_cvtsd_f64(a: Register) -> f64;
+        seconds: _mm_unpackhi_pd(a: Register, b: Register) -> Register;
+    );
+
+    #[inline(always)]
+    pub(crate) fn of([first, second]: [f64; 2]) -> Register {
+        of_second_and_first(second, first)
+    }
+
+    #[inline(always)]
+    pub(crate) fn lanes(register: Register) -> [f64; 2] {
+        [register, seconds(register, register)].map(first)
+    }
+}
+
+#[cfg(all(feature = "sparse", not(target_arch = "x86_64")))]
+pub(crate) mod register {
+    pub(crate) type Register = [f64; 2];
+
+    #[inline(always)]
+    pub(crate) fn of(lanes: [f64; 2]) -> Register {
+        lanes
+    }
+
+    #[inline(always)]
+    pub(crate) fn lanes(register: Register) -> [f64; 2] {
+        register
+    }
+
+    macro_rules! operations {
+        ($($name:ident: |$a:ident, $b:ident| $result:expr;)*) => {
+            $(#[inline(always)]
+            pub(crate) fn $name(a: Register, b: Register) -> Register {
+                std::array::from_fn(|lane| {
+                    let ($a, $b) = (a[lane], b[lane]);
+                    $result
+                })
+            })*
+        };
+    }
+    operations!(
+        add: |a, b| a + b;
+        sub: |a, b| a - b;
+        mul: |a, b| a * b;
+        div: |a, b| a / b;
+        min: |a, b| if a < b { a } else { b };
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Lanes, Scalar};
+
+    #[inline(always)]
+    fn computed() -> [u64; 8] {
+        let mut x = Lanes(std::array::from_fn(|i| 0.1 + i as f64));
+        for _ in 0..100 {
+            let (sin, cos) = x.sin_cos();
+            x = (sin * x).fused(cos, x / (cos + Lanes([3.0; 8]))).abs().sqrt() - sin * cos;
+        }
+        x.0.map(f64::to_bits)
+    }
+
+    #[test]
+    fn invariant_registers_of_all_widths_give_the_same_bits() {
+        assert_eq!(in_widest(computed), computed());
+    }
+}

@@ -81,6 +81,8 @@ mod kernel;
 mod language;
 mod layout;
 pub mod linalg;
+#[allow(unsafe_code, reason = "instructions that the processor has, as was asked or is always so")]
+mod machine;
 mod memory;
 pub mod model;
 #[cfg(feature = "optimise")]

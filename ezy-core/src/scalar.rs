@@ -18,20 +18,16 @@ macro_rules! operator {
 mod double_double;
 mod dual;
 mod lanes;
-#[allow(unsafe_code, reason = "instructions that the processor has, as was asked or is always so")]
-mod machine;
 mod plain;
 mod random;
 #[cfg(feature = "export")]
 mod recorded;
 
+pub(crate) use crate::machine::in_widest;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
 pub(crate) use lanes::packed;
-pub(crate) use machine::in_widest;
-#[cfg(feature = "sparse")]
-pub(crate) use machine::register;
 pub use plain::{legible, legible_time, rounded};
 pub(crate) use random::SplitMix64;
 #[cfg(feature = "export")]

@@ -1,6 +1,6 @@
 //! The numbers that blocks consist of.
 
-use crate::scalar::register;
+use crate::machine::register;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number, or two of them in one vector register.

@@ -1,5 +1,5 @@
 use super::Lanes;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, in_widest};
 
 /// In units of the last place: the two of a function that is not correctly rounded and of the one that it is compared with.
 const UNITS: f64 = 2.0;
@@ -67,4 +67,19 @@ fn analytic_the_least_lane_counts_for_all() {
     assert!(Lanes([2.0, f64::NAN, 4.0, 3.0]).least_ratio(two).is_nan());
     assert!(Lanes([2.0, f64::NAN, -4.0, 3.0]).magnitude().is_nan());
     assert_eq!(Lanes([2.0, 0.0, -4.0, 3.0]).magnitude(), 4.0);
+}
+
+#[inline(always)]
+fn computed() -> [u64; 8] {
+    let mut x = Lanes(std::array::from_fn(|i| 0.1 + i as f64));
+    for _ in 0..100 {
+        let (sin, cos) = x.sin_cos();
+        x = (sin * x).fused(cos, x / (cos + Lanes([3.0; 8]))).abs().sqrt() - sin * cos;
+    }
+    x.0.map(f64::to_bits)
+}
+
+#[test]
+fn invariant_registers_of_all_widths_give_the_same_bits() {
+    assert_eq!(in_widest(computed), computed());
 }

@@ -93,24 +93,3 @@ pub(crate) mod register {
         min: |a, b| if a < b { a } else { b };
     );
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scalar::{Lanes, Scalar};
-
-    #[inline(always)]
-    fn computed() -> [u64; 8] {
-        let mut x = Lanes(std::array::from_fn(|i| 0.1 + i as f64));
-        for _ in 0..100 {
-            let (sin, cos) = x.sin_cos();
-            x = (sin * x).fused(cos, x / (cos + Lanes([3.0; 8]))).abs().sqrt() - sin * cos;
-        }
-        x.0.map(f64::to_bits)
-    }
-
-    #[test]
-    fn invariant_registers_of_all_widths_give_the_same_bits() {
-        assert_eq!(in_widest(computed), computed());
-    }
-}

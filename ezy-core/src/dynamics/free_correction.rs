@@ -33,7 +33,6 @@ impl<P: SceneRef> Assembly<'_, P> {
     /// What follows in the same way of what the first of `given` leaves free, and what that cannot take away of what the next one does. None where
     /// something is left.
     pub(super) fn following(&mut self, t: f64, q: &[f64], residual: &[f64], given: &[Vec<bool>]) -> Option<Vec<f64>> {
-        let n_rows = residual.len();
         let (rounding, largest) = (f64::EPSILON * max_abs(residual), FOLLOWED * max_abs(residual));
         let (mut tangent, mut left) = (vec![0.0; self.system.info.n_velocities()], residual.to_vec());
         // the second pass takes what the damping of sparse corrections leaves
@@ -42,13 +41,20 @@ impl<P: SceneRef> Assembly<'_, P> {
                 break;
             }
             let change = self.free_tangent(t, q, &left, given);
-            self.system.scene.velocity_jacobian(&self.system.fixed, t, q, &mut self.system.buffers.jacobian);
-            for (k, row, column) in self.system.info.jacobian.entries().filter(|entry| entry.1 < n_rows) {
-                left[row] += self.system.buffers.jacobian[k] * change[column];
-            }
+            self.add_change(t, q, &change, &mut left);
             tangent.iter_mut().zip(&change).for_each(|(tangent, change)| *tangent += change);
         }
         (max_abs(&left) <= largest).then_some(tangent)
+    }
+
+    /// Adds to the residual of the first rows, as many as `residual` has, what a change of the state makes of it: G times that.
+    pub(super) fn add_change(&mut self, t: f64, q: &[f64], change: &[f64], residual: &mut [f64]) {
+        let System { scene, info, fixed, buffers, .. } = &mut *self.system;
+        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
+        let n_rows = residual.len();
+        for (k, row, column) in info.jacobian.entries().filter(|entry| entry.1 < n_rows) {
+            residual[row] += buffers.jacobian[k] * change[column];
+        }
     }
 
     pub(super) fn starts_sparse(&self) -> bool {

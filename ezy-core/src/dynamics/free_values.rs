@@ -4,7 +4,7 @@ use super::State;
 use super::assembly::Assembly;
 use super::tolerances::start::{MAX_PASSES, RANK_TOLERANCE};
 use crate::model::body_kind;
-use crate::model::{Equations as _, Name, SceneRef, Start};
+use crate::model::{Name, SceneRef, Start};
 use crate::scalar::GOLDEN_RATIO;
 
 impl<P: SceneRef> Assembly<'_, P> {
@@ -33,17 +33,10 @@ impl<P: SceneRef> Assembly<'_, P> {
         let mut change: Vec<f64> = (0..given.len()).map(|i| if given[i] { 0.0 } else { amount(i) * unit(i) }).collect();
         let mut residual = vec![0.0; n_rows];
         // a pass leaves what the damping of sparse corrections takes of it, most where many bodies follow each other
-        for _ in 0..if self.starts_sparse() { MAX_PASSES } else { 1 } {
-            self.system.scene.velocity_jacobian(
-                &self.system.fixed,
-                state.t,
-                &state.q,
-                &mut self.system.buffers.jacobian,
-            );
+        let passes = if self.starts_sparse() { MAX_PASSES } else { 1 };
+        for _ in 0..passes {
             residual.fill(0.0);
-            for (k, row, column) in self.system.info.jacobian.entries().filter(|entry| entry.1 < n_rows) {
-                residual[row] += self.system.buffers.jacobian[k] * change[column];
-            }
+            self.add_change(state.t, &state.q, &change, &mut residual);
             let back = self.free_tangent(state.t, &state.q, &residual, given);
             change.iter_mut().zip(&back).for_each(|(change, back)| *change += back);
             if back.iter().enumerate().all(|(i, back)| back.abs() <= RANK_TOLERANCE * unit(i)) {

@@ -160,7 +160,7 @@ impl<D: Dynamics<T>, T: Scalar> Integrator<D, T> for Adaptive<T> {
         // the step length before a discontinuity, to continue with behind it; not where the step becomes shorter than the way to it
         let (mut whole, mut n_discontinuities) = (None, 0);
         loop {
-            let StepLimit { step_s: h, t_next } = limited_step(t, end, length);
+            let StepLimit { step_s: h, t_next, .. } = limited_step(t, end, length);
             if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }

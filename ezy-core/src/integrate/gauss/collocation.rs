@@ -161,7 +161,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
         // the step length before a discontinuity, to continue with behind it; not where the step becomes shorter than the way to it
         let (mut whole, mut n_discontinuities, mut is_cut) = (None, 0, false);
         loop {
-            let StepLimit { step_s: h, t_next } = limited_step(t, end, length);
+            let StepLimit { step_s: h, t_next, nears_end } = limited_step(t, end, length);
             if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
@@ -191,7 +191,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
                         self.dense_error = dense_error;
                         self.is_cut = is_cut && discontinuities.are_crossed(system, from.state, &[to]);
                         // one that was cut short says little of the next
-                        let shortest = if h < length { length } else { 0.0 };
+                        let shortest = if nears_end { length } else { 0.0 };
                         self.step_s = Some(whole.unwrap_or((h * factor).max(shortest)));
                         return Ok(());
                     }

@@ -226,7 +226,7 @@ impl<P: SceneRef> Integrator<System<P>> for Implicit {
         // the step length before a discontinuity, to continue with behind it
         let (mut whole, mut cut) = (None, None);
         loop {
-            let StepLimit { step_s: h, t_next } = limited_step(t, end, length);
+            let StepLimit { step_s: h, t_next, .. } = limited_step(t, end, length);
             if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }

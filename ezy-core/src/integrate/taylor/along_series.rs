@@ -141,7 +141,7 @@ impl<P: SceneRef> Integrator<System<P>> for AlongSeries {
         } else {
             self.at_most_s = f64::INFINITY;
         }
-        let StepLimit { step_s, t_next } = limited_step(t, end, length);
+        let StepLimit { step_s, t_next, .. } = limited_step(t, end, length);
         self.taylor.advance(system, from.state, step_s, to);
         to.t = t_next;
         self.corrections.found.copy_from_slice(&to.v);

@@ -238,8 +238,8 @@ pub(crate) mod gauss {
     /// Test: `analytic_changes_that_are_rounding_end_sweeps`.
     pub(crate) const ROUNDING: f64 = 1e-12;
 
-    /// What a polynomial lacks at its end is a jump behind its last node from so many times on what its coefficients tell. Of smooth motions these tell it
-    /// within a small factor.
+    /// What a polynomial lacks at its end is a jump behind its last node from so many times on what its coefficients tell and what it lacks at its start.
+    /// Of smooth motions these tell it within a small factor.
     /// Unit: 1.
     /// Test: `analytic_jump_behind_the_last_node_is_seen_at_the_end`.
     pub(crate) const UNEXPECTED: f64 = 10.0;

@@ -162,10 +162,10 @@ impl Gauss {
         self.nodes.smallest_pivot
     }
 
-    /// The error of the end of the step that was tried last, over the tolerance, by the accelerations there. A force that changes between the last node and
-    /// the end is seen by nothing else.
-    pub(crate) fn error_by_end(&self, accelerations: &[f64]) -> f64 {
-        error_at_end(&self.coefficients, &self.weights, &self.sizes, accelerations)
+    /// The error of the end of the step that was tried last, over the tolerance, by the accelerations there and at the start. A force that changes between
+    /// the last node and the end is seen by nothing else.
+    pub(crate) fn error_by_end(&self, at_start: &[f64], at_end: &[f64]) -> f64 {
+        error_at_end(&self.coefficients, &self.weights, &self.sizes, at_start, at_end)
     }
 
     /// Keeps the step that was tried last.

@@ -185,7 +185,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
                     if is_layer {
                         error = error.max(dense_error);
                     }
-                    let factor = self.control.factor(error, steepness);
+                    let factor = self.control.factor(h, error, steepness);
                     if error <= 1.0 {
                         to.t = t_next;
                         self.dense_error = dense_error;
@@ -221,7 +221,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
         if error <= 1.0 || self.is_cut {
             return false;
         }
-        let shorter = h * self.control.factor(error, 0.0);
+        let shorter = h * self.control.factor(h, error, 0.0);
         let refuses = !is_too_short(t, shorter);
         if refuses {
             self.step_s = Some(shorter);

@@ -15,11 +15,19 @@ const DENSE_ERROR_ORDER: f64 = N as f64 + 1.0;
 pub(crate) struct GaussControl {
     /// The step under way was tried before, and failed.
     has_failed: bool,
+    /// Steepness of the last accepted step over its length, 1/s.
+    last_rate: f64,
 }
 
 impl GaussControl {
-    /// Factor for the step after one with this error over the tolerance and this steepness of the equations; it is accepted where the error is at most one.
-    pub(crate) fn factor(&mut self, error: f64, steepness: f64) -> f64 {
+    /// Factor for the step after one of the length `h` with this error over the tolerance and this steepness of the equations; it is accepted where the error is
+    /// at most one. A step whose sweeps have little to do says less of how steep the equations are than the one before, so the larger of both counts.
+    pub(crate) fn factor(&mut self, h: f64, error: f64, steepness: f64) -> f64 {
+        let rate = steepness / h;
+        let steepness = h * rate.max(self.last_rate);
+        if error <= 1.0 {
+            self.last_rate = rate;
+        }
         let most = if self.has_failed { 1.0 } else { GROW };
         self.has_failed = error > 1.0 || error.is_nan();
         let by_error = (AIM / error).powf(1.0 / ERROR_ORDER);
@@ -29,6 +37,7 @@ impl GaussControl {
     /// Writes it, or reads another one over it.
     pub(super) fn remember(&mut self, archive: &mut Archive) {
         archive.flag(&mut self.has_failed);
+        archive.number(&mut self.last_rate);
     }
 
     /// Factor for the next try after one that did not converge, or that could not be evaluated.
@@ -55,7 +64,7 @@ mod tests {
     /// Errors go with the power 17 of the length: a hundredth of the tolerance keeps the length, and 2^17 times that halves it.
     #[test]
     fn analytic_errors_change_lengths_by_their_seventeenth_root() {
-        let factor = |error: f64, steepness: f64| GaussControl::default().factor(error, steepness);
+        let factor = |error: f64, steepness: f64| GaussControl::default().factor(1.0, error, steepness);
         for (error, expected) in [(0.01, 1.0), (0.01 * 2.0_f64.powi(17), 0.5), (0.01 * 2.0_f64.powi(-17), 2.0)] {
             assert!((factor(error, 0.01) / expected - 1.0).abs() <= ROUNDING, "{error}");
         }
@@ -65,17 +74,28 @@ mod tests {
     /// A steepness of twice the best asks for half the length, whatever the error.
     #[test]
     fn analytic_steep_equations_shorten_steps() {
-        let factors = [12.0, 24.0, 3.0].map(|steepness| GaussControl::default().factor(1e-30, steepness));
+        let factors = [12.0, 24.0, 3.0].map(|steepness| GaussControl::default().factor(1.0, 1e-30, steepness));
         assert_eq!(factors, [0.5, 0.25, 2.0]);
+    }
+
+    /// For their length: 3 over 0.5 s are as much as 6 over 1 s. A step that is taken again says nothing of the next one.
+    #[test]
+    fn analytic_the_larger_steepness_of_two_steps_counts() {
+        let mut control = GaussControl::default();
+        let steps = [(0.5, 1e-30, 3.0), (1.0, 1e-30, 1.5), (1.0, 1e-30, 2.0), (1.0, 2.0, 1e3), (1.0, 1e-30, 2.0)];
+        let [first, after_steep, later, again, after_failed] =
+            steps.map(|(h, error, steepness)| control.factor(h, error, steepness));
+        assert_eq!([first, after_steep, later, after_failed], [2.0, 1.0, 3.0, 1.0]);
+        assert!(again < 1.0);
     }
 
     #[test]
     fn invariant_steps_do_not_grow_after_one_that_failed() {
         let mut control = GaussControl::default();
         assert_eq!(control.failed(), 0.5);
-        assert_eq!([control.factor(1e-30, 0.01), control.factor(1e-30, 0.01)], [1.0, 4.0]);
-        assert!(control.factor(2.0, 0.01) < 1.0);
-        assert_eq!(control.factor(1e-30, 0.01), 1.0);
+        assert_eq!([control.factor(1.0, 1e-30, 0.01), control.factor(1.0, 1e-30, 0.01)], [1.0, 4.0]);
+        assert!(control.factor(1.0, 2.0, 0.01) < 1.0);
+        assert_eq!(control.factor(1.0, 1e-30, 0.01), 1.0);
     }
 
     /// Halves have 2^-9 of the error.

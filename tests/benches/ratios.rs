@@ -143,7 +143,7 @@ fn chains() {
     for (n, n_steps) in CHAINS {
         let scene = chain::Swing { n, l: 1.0 / n as f64, m: 1.0 / n as f64, ..Default::default() };
         let info = scene.info();
-        let entries = SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())
+        let entries = SparseKkt::new(&vec![1.0; info.n_coordinates()], &info.jacobian, info.n_rows())
             .expect("the pattern of a chain can be analysed")
             .n_factor_entries();
         let order = || Simulation::new(&scene).method(Method::rk4(1e-6)).until(1e-6 * f64::from(n_steps));

@@ -82,9 +82,9 @@ impl SparseRows {
         let entries: Vec<(usize, usize, f64)> =
             (0..n).flat_map(of_column).map(|(i, j)| (i, j, matrix[(i, j)])).filter(|entry| entry.2 != 0.0).collect();
         let places = entries.iter().map(|&(row, column, _)| (row, column)).collect();
-        let mut factors = SparseKkt::from_entries(n, n_rows, places).ok()?;
+        let mut factors = SparseKkt::from_entries(&vec![1.0; n], n_rows, places).ok()?;
         let values: Vec<f64> = entries.iter().map(|entry| entry.2).collect();
-        factors.factor_damped(&vec![1.0; n], &values, &vec![DAMPING; n_rows]).ok()?;
+        factors.factor_damped(&values, &vec![DAMPING; n_rows]).ok()?;
         Some(Self { n, n_rows, entries, factors, tolerance: independent })
     }
 

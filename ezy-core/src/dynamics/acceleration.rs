@@ -9,7 +9,7 @@ use crate::linalg::{EquationResidual, INDEPENDENT_EXACTLY, Independent, LARGEST_
 use crate::model::{Equations as _, SceneRef, Series, SeriesStore};
 use std::sync::Arc;
 
-impl<P: SceneRef> Configuration<'_, P> {
+impl<'c, P: SceneRef> Configuration<'c, P> {
     /// Accelerations and multipliers at velocities `v` (`n_v`), as [`System::accelerations`] but not verified: where constraints nearly
     /// depend on each other, what they differ by is rounding of a state that was projected onto them.
     /// [`Diagnosis::check_accelerations`](super::diagnosis::Diagnosis::check_accelerations) tells when it is more than that.
@@ -64,17 +64,17 @@ impl<P: SceneRef> Configuration<'_, P> {
                 return Ok(Solved::regular(smallest));
             }
         }
-        self.solve_correction(residual, delta)
+        let solved = self.solve_correction(residual)?;
+        delta.copy_from_slice(self.system.factors.delta());
+        Ok(solved)
     }
 
-    /// The same by factors of K.
-    pub(super) fn solve_correction(&mut self, residual: &[f64], delta: &mut [f64]) -> Result<Solved, MotionError> {
-        let right_side = &mut self.system.factors.right_side;
-        right_side[..delta.len()].fill(0.0);
-        right_side[delta.len()..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
-        let solved = self.factor_and_solve()?;
-        delta.copy_from_slice(&self.system.factors.right_side[..delta.len()]);
-        Ok(solved)
+    /// The same by factors of K, into the buffer.
+    pub(super) fn solve_correction(&mut self, residual: &[f64]) -> Result<Solved, MotionError> {
+        let (delta, rows) = self.system.factors.right_side.split_at_mut(self.system.info.n_velocities());
+        delta.fill(0.0);
+        rows.iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
+        self.factor_and_solve()
     }
 
     /// `[F; −[h; s]]` into the buffer.
@@ -164,35 +164,40 @@ impl<P: SceneRef> Configuration<'_, P> {
     /// # Cost
     /// One correction; no allocation.
     pub(crate) fn project_onto_null_space(&mut self, x: &mut [f64]) -> Result<(), MotionError> {
-        self.system.buffers.residual.fill(0.0);
-        self.remove_residual_from(x)
+        self.system.residual.fill(0.0);
+        self.find_correction(x)?;
+        x.iter_mut().zip(self.system.factors.delta()).for_each(|(x, delta)| *x += delta);
+        Ok(())
     }
 
-    /// Removes from accelerations `a` at velocities `v` what rounding left of `G a + [h; s]`, by one correction in the mass matrix.
+    /// Accelerations `a` at velocities `v` without what rounding left of `G a + [h; s]`, by one correction in the mass matrix; as they are where that
+    /// fails.
     ///
     /// The elimination finds the multipliers to their last digits and divides by masses: a bar of 0.005 kg·m² under
     /// reactions of 10 N keeps 1e-13 rad/s². Reading the light coordinates off the rows instead keeps 1e-15.
     ///
-    /// # Errors
-    /// As [`Self::accelerations`].
     /// # Cost
     /// One correction; no allocation.
-    pub(crate) fn refine_accelerations(&mut self, v: &[f64], a: &mut [f64]) -> Result<(), MotionError> {
-        let System { scene, fixed, buffers, sines, .. } = &mut *self.system;
-        scene.convective_term_with_sines(fixed, self.t, self.q, v, sines.at(self.q), &mut buffers.residual);
-        self.remove_residual_from(a)
+    pub(crate) fn refined_accelerations(mut self, v: &[f64], a: &[f64]) -> &'c [f64] {
+        let System { scene, fixed, residual, sines, .. } = &mut *self.system;
+        scene.convective_term_with_sines(fixed, self.t, self.q, v, sines.at(self.q), residual);
+        let found = self.find_correction(a);
+        let delta = self.system.factors.delta_mut();
+        if found.is_err() {
+            delta.fill(0.0);
+        }
+        delta.iter_mut().zip(a).for_each(|(delta, a)| *delta += a);
+        delta
     }
 
-    /// Corrects `x` so that `G x` plus what stands in the buffer of residuals is zero.
-    fn remove_residual_from(&mut self, x: &mut [f64]) -> Result<(), MotionError> {
-        let System { scene, info, fixed, buffers, sines, .. } = &mut *self.system;
-        scene.velocity_jacobian_with_sines(fixed, self.t, self.q, sines.at(self.q), &mut buffers.jacobian);
+    /// The correction of `x` after which `G x` plus what stands in the buffer of residuals is zero, into the buffer.
+    fn find_correction(&mut self, x: &[f64]) -> Result<Solved, MotionError> {
+        let System { scene, info, fixed, factors, residual, sines, .. } = &mut *self.system;
+        let jacobian = factors.jacobian_at(scene, fixed, sines, self.t, self.q);
         for (k, row, column) in info.jacobian.entries() {
-            buffers.residual[row] += buffers.jacobian[k] * x[column];
+            residual[row] += jacobian[k] * x[column];
         }
-        self.system.projector().correct(self.t, self.q, Metric::Mass, self.rows)?;
-        x.iter_mut().zip(&self.system.buffers.delta).for_each(|(x, delta)| *x += delta);
-        Ok(())
+        self.system.projector().correct(self.t, self.q, Metric::Mass, self.rows)
     }
 }
 
@@ -249,7 +254,11 @@ impl<P: SceneRef> System<P> {
     ) -> Result<Solved, MotionError> {
         match metric {
             Metric::Mass => self.at_with(t, q, Rows::Projected).correction(residual, delta),
-            Metric::Euclidean => self.projector().euclidean_correction(t, q, residual, delta),
+            Metric::Euclidean => {
+                let solved = self.projector().euclidean_correction(t, q, residual)?;
+                delta.copy_from_slice(self.factors.delta());
+                Ok(solved)
+            }
         }
     }
 

@@ -16,8 +16,7 @@ pub(crate) struct ActiveSet {
 impl ActiveSet {
     /// As the scene starts, with these parameters and its switches.
     pub(super) fn new(info: &SceneInfo, parameters: &[f64]) -> Self {
-        let held = Vec::with_capacity(info.n_rows());
-        let mut new = Self { parameters: parameters.to_vec(), off: Vec::new(), n_on: [0; 2], held };
+        let mut new = Self { parameters: parameters.to_vec(), off: Vec::new(), n_on: [0; 2], held: Vec::new() };
         new.find_off(info);
         new
     }

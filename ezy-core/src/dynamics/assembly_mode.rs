@@ -1,13 +1,13 @@
 //! Whether a start is assembled in the mode that its near values ask for: why so, in docs/decisions/047.
 
-use super::State;
 use super::assembly::Assembly;
 use super::error::StartError;
 use super::moved::MovedValue;
 use super::tolerances::rank::NEARLY_DEPENDENT;
+use super::{State, System};
 use crate::linalg::{LARGEST_DIAGNOSED, singular_values};
 use crate::model::coordinate::is_angle;
-use crate::model::{Equations as _, SceneRef, Start};
+use crate::model::{SceneRef, Start};
 use nalgebra::DMatrix;
 
 /// As many rows as coordinates that they determine, and no smaller part of them does.
@@ -27,8 +27,8 @@ impl<P: SceneRef> Assembly<'_, P> {
             return Ok(());
         }
         let [asked, reached] = [guess, &found.q].map(|q| {
-            self.system.scene.velocity_jacobian(&self.system.fixed, start.t, q, &mut self.system.buffers.jacobian);
-            self.system.buffers.jacobian.clone()
+            let System { scene, fixed, factors, sines, .. } = &mut *self.system;
+            factors.jacobian_at(scene, fixed, sines, start.t, q).to_vec()
         });
         let mut of_row = vec![Vec::new(); self.system.info.n_position_rows];
         for (k, row, column) in self.system.info.jacobian.entries().filter(|e| e.1 < self.system.info.n_position_rows) {

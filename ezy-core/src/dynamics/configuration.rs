@@ -74,22 +74,22 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
             held.extend(rank.independent_rows());
         }
         system.active.held = held;
-        if system.factors.rows == Rows::Held {
+        if system.factors.factored == Some(Rows::Held) {
             system.factors.forget();
         }
     }
 
     /// What G says about its rows; none in a system too large to tell, or where G is not finite.
     pub(super) fn rank(self, independent: Independent<'_>) -> Option<&'c RankRevealing> {
-        let System { scene, info, fixed, mass, geometry, active, factors, buffers, sines, .. } = self.system;
+        let System { scene, info, fixed, mass, geometry, active, factors, sines, .. } = self.system;
         if info.n_unknowns() > LARGEST_DIAGNOSED {
             return None;
         }
-        scene.velocity_jacobian_with_sines(fixed, self.t, self.q, sines.at(self.q), &mut buffers.jacobian);
+        factors.jacobian_at(scene, fixed, sines, self.t, self.q);
         let rank = factors
             .rank
             .get_or_insert_with(|| Box::new(RankRevealing::new(info.n_rows(), info.n_velocities(), &info.jacobian)));
-        rank.factor(&buffers.jacobian, &geometry.units, mass, independent, active.off()).then_some(rank)
+        rank.factor(&factors.jacobian, &geometry.units, mass, independent, active.off()).then_some(rank)
     }
 
     /// Square of the smallest pivot of the rows that a step goes on with; zero where they depend on each other, none where that cannot
@@ -111,9 +111,9 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
     pub(crate) fn smallest_pivot(&mut self) -> f64 {
         let least = self.system.counters.least_pivot;
         let pivot = if self.may_eliminate() {
-            let System { scene, fixed, buffers, counters, .. } = &mut *self.system;
-            buffers.residual.fill(0.0);
-            let pivots = scene.correction(fixed, self.t, self.q, &buffers.residual, &mut buffers.delta);
+            let System { scene, fixed, residual, factors, counters, .. } = &mut *self.system;
+            residual.fill(0.0);
+            let pivots = scene.correction(fixed, self.t, self.q, residual, factors.delta_mut());
             counters.eliminated(pivots).unwrap_or(0.0)
         } else {
             let of_rows = self.pivot_of_rows();
@@ -142,8 +142,9 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
     /// Whether the scene's own elimination may solve here: not where rows are redundant.
     #[inline]
     pub(super) fn may_eliminate(&self) -> bool {
-        let is_deficient = self.rows == Rows::Held || self.system.factors.are_of(self.t, self.q, self.rows);
-        self.system.uses_elimination() && !is_deficient
+        self.system.uses_elimination()
+            && self.rows != Rows::Held
+            && !self.system.factors.are_of(self.t, self.q, self.rows)
     }
 
     /// Factors K unless it was factored here.
@@ -171,9 +172,9 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         }
         let System { scene, info, fixed, mass, geometry, solver, active, factors, counters, sines, .. } =
             &mut *self.system;
-        factors.forget();
         counters.factorizations += 1;
-        scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut factors.jacobian);
+        factors.jacobian_at(scene, fixed, sines, t, q);
+        factors.factored = None;
         let mut vanished = None;
         let mut made = Made::Dense;
         if let Solver::Sparse(kkt) = solver
@@ -181,8 +182,8 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
             && active.off().is_empty()
         {
             let factored = match solves {
-                true => kkt.factor_and_solve(mass, &factors.jacobian, &mut factors.right_side),
-                false => kkt.factor(mass, &factors.jacobian),
+                true => kkt.factor_and_solve(&factors.jacobian, &mut factors.right_side),
+                false => kkt.factor(&factors.jacobian),
             };
             match factored {
                 Ok(()) => (made, factors.is_solved) = (Made::Sparse, solves),
@@ -194,7 +195,7 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
             (_, Some(row), Solver::Sparse(kkt)) if info.n_unknowns() > LARGEST_DIAGNOSED => {
                 made = Made::Damped(row);
                 let damped = factors.damped.get_or_insert_with(|| Box::new(DampedKkt::new(mass, &info.jacobian)));
-                damped.factor(kkt.as_mut(), &info.jacobian, mass, &factors.jacobian).is_err()
+                damped.factor(kkt.as_mut(), &info.jacobian, &factors.jacobian).is_err()
             }
             _ => {
                 let dense = factors
@@ -216,9 +217,7 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         if is_singular {
             return Err(self.why_singular());
         }
-        factors.made = made;
-        (factors.t, factors.rows) = (t, rows);
-        factors.q.copy_from_slice(q);
+        (factors.made, factors.factored) = (made, Some(rows));
         let smallest = self.pivot();
         let counters = &mut self.system.counters;
         counters.least_pivot = counters.least_pivot.min(smallest);

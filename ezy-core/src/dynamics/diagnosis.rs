@@ -25,9 +25,8 @@ impl<P: SceneRef> Diagnosis<'_, P> {
 
     /// How well K can be solved with at a state, by an estimator for this scene.
     pub(crate) fn conditioning(&mut self, t: f64, q: &[f64], estimator: &mut ConditionEstimator) -> Conditioning {
-        let System { scene, fixed, mass, active, buffers, sines, .. } = &mut *self.system;
-        scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut buffers.jacobian);
-        estimator.estimate(mass, &buffers.jacobian, active.off())
+        let System { scene, fixed, mass, active, factors, sines, .. } = &mut *self.system;
+        estimator.estimate(mass, factors.jacobian_at(scene, fixed, sines, t, q), active.off())
     }
 
     /// What rounding makes of multipliers that the elimination of the scene finds at a state (`n_q`, `n_v`), relative to one more than each: their difference

@@ -1,8 +1,10 @@
 //! The factors of K at one configuration, and what they are made of.
 
+use super::sines::Sines;
 use super::solved::Rows;
 use crate::archive::Archive;
 use crate::linalg::{DampedKkt, KktFactorization, NullSpaceKkt, RankRevealing};
+use crate::model::{Equations as _, SceneRef};
 
 /// How K is solved.
 pub(super) enum Solver {
@@ -11,15 +13,16 @@ pub(super) enum Solver {
     Sparse(Box<dyn KktFactorization>),
 }
 
-/// The factors of one configuration, kept until another one is asked for.
+/// G and the factors of one configuration, kept until another one is asked for.
 pub(super) struct Factors {
-    /// Where they were made; NaN where they are not good.
+    /// Where that is; NaN where nothing is good.
     pub(super) t: f64,
     pub(super) q: Vec<f64>,
-    pub(super) rows: Rows,
-    pub(super) made: Made,
     /// Entries of G there.
     pub jacobian: Vec<f64>,
+    /// With which rows K was factored there; none where it was not.
+    pub(super) factored: Option<Rows>,
+    pub(super) made: Made,
     /// Made when it is first needed.
     pub(super) dense: Option<Box<NullSpaceKkt>>,
     pub(super) damped: Option<Box<DampedKkt>>,
@@ -27,8 +30,9 @@ pub(super) struct Factors {
     pub ahead: Ahead,
     /// Answers questions of rank beside the factors; made when it is first needed.
     pub(super) rank: Option<Box<RankRevealing>>,
-    /// `n_v + n_c`.
+    /// `[r; s]` and `[x; y]`, `n_v + n_c`.
     pub right_side: Vec<f64>,
+    n_v: usize,
     /// Whether the solution stands there already.
     pub(super) is_solved: bool,
 }
@@ -48,27 +52,60 @@ impl Factors {
         Self {
             t: f64::NAN,
             q: vec![0.0; n_q],
-            rows: Rows::Exact,
-            made: Made::Dense,
             jacobian,
+            factored: None,
+            made: Made::Dense,
             dense: None,
             damped: None,
             ahead: if eliminates { Ahead::new([n_q, n_v], n_rows) } else { Ahead::new([0; 2], 0) },
             rank: None,
             right_side: vec![0.0; n_v + n_rows],
+            n_v,
             is_solved: false,
         }
     }
 
     /// What was computed with other inputs is not good.
     pub(super) fn forget(&mut self) {
-        self.t = f64::NAN;
+        (self.t, self.factored) = (f64::NAN, None);
         self.ahead.t = f64::NAN;
     }
 
     #[inline]
     pub(super) fn are_of(&self, t: f64, q: &[f64], rows: Rows) -> bool {
-        self.t == t && self.rows == rows && self.q == q
+        self.factored == Some(rows) && self.are_at(t, q)
+    }
+
+    #[inline]
+    fn are_at(&self, t: f64, q: &[f64]) -> bool {
+        self.t == t && self.q == q
+    }
+
+    /// The first part of the solution that stands in the buffer, `n_v`.
+    pub(super) fn delta(&self) -> &[f64] {
+        &self.right_side[..self.n_v]
+    }
+
+    pub(super) fn delta_mut(&mut self) -> &mut [f64] {
+        &mut self.right_side[..self.n_v]
+    }
+
+    /// Entries of G at a configuration; factors of another one are not good behind it.
+    #[inline]
+    pub(super) fn jacobian_at<P: SceneRef>(
+        &mut self,
+        scene: &P,
+        fixed: &[f64],
+        sines: &mut Sines,
+        t: f64,
+        q: &[f64],
+    ) -> &[f64] {
+        if !self.are_at(t, q) {
+            scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut self.jacobian);
+            (self.t, self.factored) = (t, None);
+            self.q.copy_from_slice(q);
+        }
+        &self.jacobian
     }
 }
 

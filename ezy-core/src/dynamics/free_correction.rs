@@ -7,16 +7,16 @@ use super::max_abs;
 use super::system::sparse;
 use super::tolerances::start::{DAMPING, FOLLOWED, LARGEST_DENSE_START, RANK_TOLERANCE};
 use crate::linalg::{HAS_SPARSE, singular_values, weights, write_diagonal};
-use crate::model::{Equations as _, SceneRef};
+use crate::model::SceneRef;
 use nalgebra::{DMatrix, DVector};
 
 impl<P: SceneRef> Assembly<'_, P> {
     /// Change of the velocities (or, in their axes, of the coordinates) that are not given, smallest in the mass matrix, that removes the
     /// residual of the first `n_rows` rows in the buffer to first order, in the least-squares sense.
     pub(super) fn free_correction(&mut self, t: f64, q: &[f64], n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
-        self.system.scene.velocity_jacobian(&self.system.fixed, t, q, &mut self.system.buffers.jacobian);
-        let finite =
-            self.system.buffers.residual[..n_rows].iter().chain(&self.system.buffers.jacobian).all(|x| x.is_finite());
+        let System { scene, fixed, factors, residual, sines, .. } = &mut *self.system;
+        let jacobian = factors.jacobian_at(scene, fixed, sines, t, q);
+        let finite = residual[..n_rows].iter().chain(jacobian).all(|x| x.is_finite());
         if !finite || n_rows == 0 || given.iter().all(|given| *given) {
             return None;
         }
@@ -26,7 +26,7 @@ impl<P: SceneRef> Assembly<'_, P> {
     /// First-order change of what is not given that follows when something else changes the residual of the first rows, as
     /// many as `residual` has, by `residual`; smallest in the mass matrix. Zero where nothing is free.
     pub(crate) fn free_tangent(&mut self, t: f64, q: &[f64], residual: &[f64], given: &[bool]) -> Vec<f64> {
-        self.system.buffers.residual[..residual.len()].copy_from_slice(residual);
+        self.system.residual[..residual.len()].copy_from_slice(residual);
         self.free_correction(t, q, residual.len(), given).unwrap_or_else(|| vec![0.0; given.len()])
     }
 
@@ -49,11 +49,11 @@ impl<P: SceneRef> Assembly<'_, P> {
 
     /// Adds to the residual of the first rows, as many as `residual` has, what a change of the state makes of it: G times that.
     pub(super) fn add_change(&mut self, t: f64, q: &[f64], change: &[f64], residual: &mut [f64]) {
-        let System { scene, info, fixed, buffers, .. } = &mut *self.system;
-        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
+        let System { scene, info, fixed, factors, sines, .. } = &mut *self.system;
+        let jacobian = factors.jacobian_at(scene, fixed, sines, t, q);
         let n_rows = residual.len();
         for (k, row, column) in info.jacobian.entries().filter(|entry| entry.1 < n_rows) {
-            residual[row] += buffers.jacobian[k] * change[column];
+            residual[row] += jacobian[k] * change[column];
         }
     }
 
@@ -62,28 +62,29 @@ impl<P: SceneRef> Assembly<'_, P> {
     }
 
     /// By `[W Gᵀ; G −D] [δ; μ] = [0; −r]`, with D a small share of `G W⁻¹ Gᵀ`: what is given has no entries in G, and rows beyond the first
-    /// `n_rows` have none either. Where the system has sparse factors, these are made anew for it.
+    /// `n_rows` have none either. Where the system has sparse factors, which need positive masses, these are made anew for it.
     fn sparse_correction(&mut self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
-        let System { info, mass, solver, factors, buffers, .. } = &mut *self.system;
+        let System { info, mass, solver, factors, residual, .. } = &mut *self.system;
+        let weight = weights(mass);
         let mut own;
         let kkt = match solver {
             Solver::Sparse(kkt) => kkt.as_mut(),
             Solver::Dense | Solver::Generated => {
-                own = sparse(info).ok()?;
+                own = sparse(info, &weight).ok()?;
                 own.as_mut()
             }
         };
         let (n_v, n_c) = (info.n_velocities(), info.n_rows());
-        let weight = weights(mass);
         let is_left_out = |row: usize, column: usize| row >= n_rows || given[column];
-        info.jacobian.entries().filter(|e| is_left_out(e.1, e.2)).for_each(|(k, ..)| buffers.jacobian[k] = 0.0);
-        let mut damping = vec![0.0; n_c];
-        write_diagonal(info.jacobian.entries(), &weight, &buffers.jacobian, &mut damping);
-        damping.iter_mut().for_each(|d| *d *= DAMPING);
         factors.forget();
-        kkt.factor_damped(&weight, &buffers.jacobian, &damping).ok()?;
+        let jacobian = &mut factors.jacobian;
+        info.jacobian.entries().filter(|e| is_left_out(e.1, e.2)).for_each(|(k, ..)| jacobian[k] = 0.0);
+        let mut damping = vec![0.0; n_c];
+        write_diagonal(info.jacobian.entries(), &weight, jacobian, &mut damping);
+        damping.iter_mut().for_each(|d| *d *= DAMPING);
+        kkt.factor_damped(jacobian, &damping).ok()?;
         let mut solution = vec![0.0; n_v + n_c];
-        solution[n_v..].iter_mut().zip(&buffers.residual[..n_rows]).for_each(|(s, r)| *s = -r);
+        solution[n_v..].iter_mut().zip(&residual[..n_rows]).for_each(|(s, r)| *s = -r);
         kkt.solve(&mut solution);
         solution.truncate(n_v);
         Some(solution)
@@ -104,12 +105,12 @@ impl<P: SceneRef> Assembly<'_, P> {
             let mut G = DMatrix::<f64>::zeros(n_rows, columns.len());
             for (k, row, column) in self.system.info.jacobian.entries().filter(|e| e.1 < n_rows) {
                 if let Ok(i) = columns.binary_search(&column) {
-                    G[(row, i)] += self.system.buffers.jacobian[k] / unit(column) / sizes[row];
+                    G[(row, i)] += self.system.factors.jacobian[k] / unit(column) / sizes[row];
                 }
             }
             G
         };
-        let rows = self.system.buffers.residual[..n_rows].iter().zip(sizes);
+        let rows = self.system.residual[..n_rows].iter().zip(sizes);
         let mut residual = DVector::from_iterator(n_rows, rows.map(|(r, size)| r / size));
         let (mut G, G_massless) = (slopes(&heavy), slopes(&massless));
         let mut step = vec![0.0; given.len()];

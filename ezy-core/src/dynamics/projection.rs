@@ -1,8 +1,8 @@
 //! Back onto the constraints: positions first, then velocities at the projected positions.
 
 use super::euclidean::Euclidean;
+use super::factors::Factors;
 use super::solved::{Rows, Solved};
-use super::system::Buffers;
 use super::tolerances::projection::{
     LARGEST_LEFT, MAX_PASSES, NEAR_RANK_LOSS, PASSES_NEAR_RANK_LOSS, PASSES_TO_ROUNDING,
 };
@@ -133,17 +133,17 @@ fn largest_left(q: &[f64]) -> f64 {
 impl<P: SceneRef> Projector<'_, P> {
     /// The position constraint that is farthest from being met, m or rad.
     pub(crate) fn worst_position(&mut self, t: f64, q: &[f64]) -> Worst {
-        let System { scene, info, fixed, buffers, sines, .. } = &mut *self.system;
-        let residual = &mut buffers.residual[..info.n_position_rows];
+        let System { scene, info, fixed, residual, sines, .. } = &mut *self.system;
+        let residual = &mut residual[..info.n_position_rows];
         scene.position_constraint_with_sines(fixed, t, q, sines.at(q), residual);
         Worst::of(residual)
     }
 
     /// The row that is farthest from being met at velocity level, m/s or rad/s.
     pub(crate) fn worst_velocity(&mut self, t: f64, q: &[f64], v: &[f64]) -> Worst {
-        let System { scene, fixed, buffers, sines, .. } = &mut *self.system;
-        scene.velocity_constraint_with_sines(fixed, t, q, v, sines.at(q), &mut buffers.residual);
-        Worst::of(&buffers.residual)
+        let System { scene, fixed, residual, sines, .. } = &mut *self.system;
+        scene.velocity_constraint_with_sines(fixed, t, q, v, sines.at(q), residual);
+        Worst::of(residual)
     }
 
     /// As [`System::project`], for the end of a step whose accelerations are asked for next.
@@ -177,7 +177,7 @@ impl<P: SceneRef> Projector<'_, P> {
         if projection.velocities() {
             let mut solved;
             (projected.velocities_before, solved) = self.move_velocities(t, q, v, metric, next)?;
-            let (removed, correction) = (projected.velocities_before.value, max_abs(&self.system.buffers.delta));
+            let (removed, correction) = (projected.velocities_before.value, max_abs(self.system.factors.delta()));
             if correction > NEAR_RANK_LOSS * removed
                 && projection.positions()
                 && let Some(again) = self.correct_near_rank_loss(t, q, v, metric, next, removed)?
@@ -202,10 +202,10 @@ impl<P: SceneRef> Projector<'_, P> {
         removed: f64,
     ) -> Result<Option<Solved>, MotionError> {
         // levers of a millimetre alone make angles a thousand times as large
-        if self.system.geometry.length_of(&self.system.buffers.delta) <= NEAR_RANK_LOSS * removed {
+        if self.system.geometry.length_of(self.system.factors.delta()) <= NEAR_RANK_LOSS * removed {
             return Ok(None);
         }
-        v.iter_mut().zip(&self.system.buffers.delta).for_each(|(v, delta)| *v -= delta);
+        v.iter_mut().zip(self.system.factors.delta()).for_each(|(v, delta)| *v -= delta);
         for _ in 0..PASSES_NEAR_RANK_LOSS {
             self.polish_positions_in(t, q, metric)?;
         }
@@ -221,7 +221,7 @@ impl<P: SceneRef> Projector<'_, P> {
         let (mut worst, mut passes, mut solved) = (before, 0, Solved::default());
         loop {
             let norm = worst.value;
-            let residual = &self.system.buffers.residual[..n_h];
+            let residual = &self.system.residual[..n_h];
             if self.system.geometry.is_met(residual)
                 || self.system.geometry.position_excess(residual, q) <= 1.0
                     && (passes == MAX_PASSES && norm <= largest_left(q) || self.is_rounding(t, q, passes))
@@ -257,30 +257,28 @@ impl<P: SceneRef> Projector<'_, P> {
         let rows: Vec<usize> = rank.independent_rows().iter().copied().filter(|row| *row < n_h).collect();
         let (extent, largest_left) = (self.system.geometry.extent(q), largest_left(q));
         let tolerance = |row| self.system.geometry.position_tolerance(row, extent).min(largest_left);
-        rows.iter().all(|&row| self.system.buffers.residual[row].abs() <= tolerance(row))
+        rows.iter().all(|&row| self.system.residual[row].abs() <= tolerance(row))
     }
 
     /// Whether the residual in the buffer is met row by row but for what rounding of its own coordinates leaves: of each one, by its slope. Sine and
     /// cosine are rounded as 1 is. A rate of 1e4 rad/s makes large angles, but on short levers: these count as they are when x and y have taken
     /// of their rounding what they can.
     fn is_rounding(&mut self, t: f64, q: &[f64], passes: usize) -> bool {
-        let System { scene, info, fixed, buffers, geometry, sines, .. } = &mut *self.system;
-        let Buffers { jacobian, sums, residual, .. } = buffers;
-        scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), jacobian);
-        sums.fill(0.0);
-        for (k, row, column) in info.jacobian.entries() {
+        let System { scene, info, fixed, factors, residual, geometry, sines, .. } = &mut *self.system;
+        let jacobian = factors.jacobian_at(scene, fixed, sines, t, q);
+        let size = |column: usize| {
             let x = q[geometry.coordinate_of(column)].abs();
-            let size = match geometry.turns[column] {
+            match geometry.turns[column] {
                 true if passes < PASSES_TO_ROUNDING => 1.0,
                 true => x.max(1.0),
                 false => x,
-            };
-            sums[row] += jacobian[k].abs() * size;
-        }
-        let rows = residual[..info.n_position_rows].iter().zip(sums.iter()).enumerate();
-        let mut left =
-            rows.map(|(row, (c, sum))| (c.abs(), geometry.position_tolerance(row, 0.0).max(2.0 * f64::EPSILON * sum)));
-        left.all(|(c, rounding)| c <= rounding)
+            }
+        };
+        residual[..info.n_position_rows].iter().enumerate().all(|(row, c)| {
+            let entries = jacobian[info.jacobian.row(row)].iter().zip(info.jacobian.columns_of(row));
+            let sum: f64 = entries.map(|(g, column)| g.abs() * size(column)).sum();
+            c.abs() <= geometry.position_tolerance(row, 0.0).max(2.0 * f64::EPSILON * sum)
+        })
     }
 
     /// One pass beyond the tolerance, for positions that are projected.
@@ -296,12 +294,12 @@ impl<P: SceneRef> Projector<'_, P> {
     /// One pass, for the residual of the position constraints in the buffer.
     fn correct_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<Solved, MotionError> {
         let n_h = self.system.info.n_position_rows;
-        self.system.buffers.residual[n_h..].fill(0.0);
+        self.system.residual[n_h..].fill(0.0);
         let solved = match metric {
             Metric::Mass => self.correct(t, q, metric, Rows::Held)?,
             Metric::Euclidean => self.correct_first(t, q, n_h)?,
         };
-        body_kind::retract(&self.system.info.kinds, q, &self.system.buffers.delta);
+        body_kind::retract(&self.system.info.kinds, q, self.system.factors.delta());
         Ok(solved)
     }
 
@@ -319,7 +317,8 @@ impl<P: SceneRef> Projector<'_, P> {
             next.accelerates && metric == Metric::Mass && self.system.at_with(t, q, next.rows).may_eliminate();
         if accelerates && let Some(smallest) = self.eliminate_ahead(t, q, v) {
             let (residual, projected) = self.system.factors.ahead.velocities();
-            self.system.buffers.delta.iter_mut().zip(v).zip(projected).for_each(|((delta, v), projected)| {
+            let delta = &mut self.system.factors.right_side;
+            delta.iter_mut().zip(v).zip(projected).for_each(|((delta, v), projected)| {
                 *delta = projected - *v;
                 *v = *projected;
             });
@@ -332,7 +331,7 @@ impl<P: SceneRef> Projector<'_, P> {
             self.correct(t, q, metric, next.rows)?
         };
         self.system.diagnosis().check_velocities(t, q, v, solved)?;
-        v.iter_mut().zip(&self.system.buffers.delta).for_each(|(v, delta)| *v += delta);
+        v.iter_mut().zip(self.system.factors.delta()).for_each(|(v, delta)| *v += delta);
         Ok((worst, solved))
     }
 
@@ -351,8 +350,8 @@ impl<P: SceneRef> Projector<'_, P> {
     #[inline]
     pub(super) fn correct(&mut self, t: f64, q: &[f64], metric: Metric, rows: Rows) -> Result<Solved, MotionError> {
         if metric == Metric::Mass && self.system.at_with(t, q, rows).may_eliminate() {
-            let System { scene, fixed, buffers, counters, .. } = &mut *self.system;
-            let pivots = scene.correction(fixed, t, q, &buffers.residual, &mut buffers.delta);
+            let System { scene, fixed, residual, factors, counters, .. } = &mut *self.system;
+            let pivots = scene.correction(fixed, t, q, residual, factors.delta_mut());
             if let Some(smallest) = counters.eliminated(pivots) {
                 return Ok(Solved::regular(smallest));
             }
@@ -361,38 +360,31 @@ impl<P: SceneRef> Projector<'_, P> {
     }
 
     fn correct_by_factors(&mut self, t: f64, q: &[f64], metric: Metric, rows: Rows) -> Result<Solved, MotionError> {
-        let residual = std::mem::take(&mut self.system.buffers.residual);
-        let mut delta = std::mem::take(&mut self.system.buffers.delta);
+        let residual = std::mem::take(&mut self.system.residual);
         let outcome = match metric {
-            Metric::Mass => self.system.at_with(t, q, rows).solve_correction(&residual, &mut delta),
-            Metric::Euclidean => self.euclidean_correction(t, q, &residual, &mut delta),
+            Metric::Mass => self.system.at_with(t, q, rows).solve_correction(&residual),
+            Metric::Euclidean => self.euclidean_correction(t, q, &residual),
         };
-        (self.system.buffers.residual, self.system.buffers.delta) = (residual, delta);
+        self.system.residual = residual;
         outcome
     }
 
     /// The same for the first rows only, in the Euclidean metric.
     fn correct_first(&mut self, t: f64, q: &[f64], n_rows: usize) -> Result<Solved, MotionError> {
-        let residual = std::mem::take(&mut self.system.buffers.residual);
-        let mut delta = std::mem::take(&mut self.system.buffers.delta);
-        let outcome = self.euclidean_correction(t, q, &residual[..n_rows], &mut delta);
-        (self.system.buffers.residual, self.system.buffers.delta) = (residual, delta);
+        let residual = std::mem::take(&mut self.system.residual);
+        let outcome = self.euclidean_correction(t, q, &residual[..n_rows]);
+        self.system.residual = residual;
         outcome
     }
 
-    /// For the residual of the position constraints, or of all.
-    pub(super) fn euclidean_correction(
-        &mut self,
-        t: f64,
-        q: &[f64],
-        residual: &[f64],
-        delta: &mut [f64],
-    ) -> Result<Solved, MotionError> {
+    /// For the residual of the position constraints, or of all, into the buffer.
+    pub(super) fn euclidean_correction(&mut self, t: f64, q: &[f64], residual: &[f64]) -> Result<Solved, MotionError> {
         self.system.counters.factorizations += 1;
-        let System { scene, info, fixed, geometry, active, buffers, euclidean, sines, .. } = &mut *self.system;
-        scene.velocity_jacobian_with_sines(fixed, t, q, sines.at(q), &mut buffers.jacobian);
+        let System { scene, info, fixed, geometry, active, factors, euclidean, sines, .. } = &mut *self.system;
+        factors.jacobian_at(scene, fixed, sines, t, q);
+        let Factors { jacobian, right_side, .. } = factors;
         let euclidean = Euclidean::of(euclidean, info, &geometry.units)?;
-        let solved = euclidean.correction(&buffers.jacobian, residual, active.off(), delta);
+        let solved = euclidean.correction(jacobian, residual, active.off(), &mut right_side[..info.n_velocities()]);
         solved.ok_or(MotionError::NotFinite { t, quantity: "the constraint Jacobian".into() })
     }
 }

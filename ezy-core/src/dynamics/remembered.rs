@@ -12,12 +12,14 @@ impl<P: SceneRef> System<P> {
         archive.numbers(&mut self.fixed[..n_set]);
         archive.numbers(self.integrated.as_flattened_mut());
         archive.places(&mut self.active.held, n_rows);
-        archive.number(&mut self.factors.t);
+        let factored = self.factors.factored;
+        let mut t = if factored.is_some() { self.factors.t } else { f64::NAN };
+        archive.number(&mut t);
         archive.numbers(&mut self.factors.q);
-        let mut of_rows = [Rows::Projected, Rows::Held].map(|rows| self.factors.rows == rows);
+        let mut of_rows = [Rows::Projected, Rows::Held].map(|rows| factored == Some(rows));
         of_rows.iter_mut().for_each(|is_it| archive.flag(is_it));
         if archive.is_read() {
-            let (t, q) = (self.factors.t, self.factors.q.clone());
+            let q = self.factors.q.clone();
             let rows = match of_rows {
                 [true, _] => Rows::Projected,
                 [_, true] => Rows::Held,

@@ -55,12 +55,12 @@ impl<P: SceneRef> Configuration<'_, P> {
     /// Less than that of the accelerations; no factorisation, no allocation.
     pub(crate) fn residual(&mut self, v: &[f64], a: &[f64], lambda: &[f64], rates: &[f64], out: &mut [f64]) {
         let (t, q) = (self.t, self.q);
-        let System { scene, info, fixed, mass, buffers, counters, sines, .. } = &mut *self.system;
+        let System { scene, info, fixed, mass, factors, counters, sines, .. } = &mut *self.system;
         counters.evaluations += 1;
         let (forces, rest) = out.split_at_mut(q.len());
         let (rows, states) = rest.split_at_mut(lambda.len());
+        let jacobian = factors.jacobian_at(scene, fixed, sines, t, q);
         let sines = sines.at(q);
-        scene.velocity_jacobian_with_sines(fixed, t, q, sines, &mut buffers.jacobian);
         scene.applied_force_with_sines(fixed, t, q, v, sines, forces);
         scene.convective_term_with_sines(fixed, t, q, v, sines, rows);
         for ((force, m), a) in forces.iter_mut().zip(mass.iter()).zip(a) {
@@ -68,7 +68,7 @@ impl<P: SceneRef> Configuration<'_, P> {
         }
         let pattern = &info.jacobian;
         for (i, row) in rows.iter_mut().enumerate() {
-            for (g, j) in buffers.jacobian[pattern.row(i)].iter().zip(pattern.columns_of(i)) {
+            for (g, j) in jacobian[pattern.row(i)].iter().zip(pattern.columns_of(i)) {
                 forces[j] -= g * lambda[i];
                 *row += g * a[j];
             }

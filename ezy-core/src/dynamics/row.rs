@@ -32,12 +32,11 @@ impl<P: SceneRef> Diagnosis<'_, P> {
     /// the coordinates makes of the row.
     pub(crate) fn row_acceleration(&mut self, of: &SystemRow<'_>, a: &[f64]) -> (f64, f64) {
         let SystemRow { row, t, q, v } = *of;
-        let System { scene, info, fixed, buffers, sines, .. } = &mut *self.system;
-        let sines = sines.at(q);
-        scene.velocity_jacobian_with_sines(fixed, t, q, sines, &mut buffers.jacobian);
-        scene.convective_term_with_sines(fixed, t, q, v, sines, &mut buffers.residual);
-        let entries = buffers.jacobian[info.jacobian.row(row)].iter().zip(info.jacobian.columns_of(row));
-        let (mut acceleration, mut terms) = (buffers.residual[row], 0.0);
+        let System { scene, info, fixed, factors, residual, sines, .. } = &mut *self.system;
+        let jacobian = factors.jacobian_at(scene, fixed, sines, t, q);
+        scene.convective_term_with_sines(fixed, t, q, v, sines.at(q), residual);
+        let entries = jacobian[info.jacobian.row(row)].iter().zip(info.jacobian.columns_of(row));
+        let (mut acceleration, mut terms) = (residual[row], 0.0);
         for (g, j) in entries {
             acceleration += g * a[j];
             terms += (g * q[j]).abs();

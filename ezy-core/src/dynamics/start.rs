@@ -206,7 +206,7 @@ impl<P: SceneRef> Assembly<'_, P> {
 
     fn position_residual_at(&mut self, t: f64, q: &[f64]) -> Residual {
         self.system.position_residual(t, q);
-        let residual = &self.system.buffers.residual[..self.system.info.n_position_rows];
+        let residual = &self.system.residual[..self.system.info.n_position_rows];
         Residual {
             excess: self.system.geometry.position_excess(residual, q),
             share: self.system.geometry.share(residual),
@@ -254,7 +254,7 @@ impl<P: SceneRef> Assembly<'_, P> {
     /// What moves by itself: rows that depend on time. Where the guess can only come to rest, what is left of it is rounding.
     fn drive(&mut self, start: &Start, q: &[f64]) -> f64 {
         self.system.velocity_residual(start.t, q, &vec![0.0; start.v.len()]);
-        let share = self.system.geometry.share(&self.system.buffers.residual);
+        let share = self.system.geometry.share(&self.system.residual);
         share.max(self.system.geometry.extent_of_velocities(&start.v))
     }
 
@@ -271,18 +271,18 @@ impl<P: SceneRef> Assembly<'_, P> {
         self.system.velocity_residual(t, q, v);
         self.system
             .geometry
-            .velocity_excess(&self.system.buffers.residual, self.system.geometry.extent_of_velocities(v).max(drive))
+            .velocity_excess(&self.system.residual, self.system.geometry.extent_of_velocities(v).max(drive))
     }
 
     /// Euclidean length of the first residuals in the buffer, in units of the sizes of their rows.
     fn residual_length(&self, n_rows: usize) -> f64 {
-        let rows = self.system.buffers.residual[..n_rows].iter().zip(&self.system.geometry.sizes);
+        let rows = self.system.residual[..n_rows].iter().zip(&self.system.geometry.sizes);
         rows.map(|(r, size)| (r / size).powi(2)).sum::<f64>().sqrt()
     }
 
     /// Names the rows whose residual in the buffer exceeds its tolerance, or one that is no number.
     fn contradiction(&self, level: &'static str, tolerances: &[f64], held: Vec<Name>) -> StartError {
-        let residual = &self.system.buffers.residual[..tolerances.len()];
+        let residual = &self.system.residual[..tolerances.len()];
         if let Some(i) = residual.iter().position(|r| !r.is_finite()) {
             return StartError::UndefinedRow { row: self.system.info.rows.item(i).name };
         }

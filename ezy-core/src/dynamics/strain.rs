@@ -1,5 +1,6 @@
 //! What moves a scene hardest at one state: for messages about runs that cannot be continued.
 
+use super::System;
 use super::diagnosis::Diagnosis;
 use crate::model::{Equations as _, Name, SceneRef, body_kind};
 use std::f64::consts::SQRT_2;
@@ -87,9 +88,10 @@ impl<P: SceneRef> Diagnosis<'_, P> {
 
     /// On coordinate `i`; none without rows.
     fn largest_reaction(&mut self, t: f64, q: &[f64], i: usize, lambda: &[f64]) -> Option<StrainSource> {
-        self.system.scene.velocity_jacobian(&self.system.fixed, t, q, &mut self.system.buffers.jacobian);
-        let entries = self.system.info.jacobian.entries().filter(|(_, _, column)| *column == i);
-        let reactions = entries.map(|(k, row, _)| (row, -self.system.buffers.jacobian[k] * lambda[row]));
+        let System { scene, info, fixed, factors, sines, .. } = &mut *self.system;
+        let jacobian = factors.jacobian_at(scene, fixed, sines, t, q);
+        let entries = info.jacobian.entries().filter(|(_, _, column)| *column == i);
+        let reactions = entries.map(|(k, row, _)| (row, -jacobian[k] * lambda[row]));
         let (row, force) = reactions.max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()))?;
         Some(StrainSource::Reaction { row: self.system.info.rows.item(row).name, force })
     }

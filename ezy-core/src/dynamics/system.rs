@@ -35,18 +35,9 @@ pub struct System<P: SceneRef> {
     pub(super) sines: Sines,
     /// Made at the first Euclidean correction.
     pub(super) euclidean: Option<Box<Euclidean>>,
-    pub(super) buffers: Buffers,
+    /// `n_c`.
+    pub(super) residual: Vec<f64>,
     pub(super) counters: Counters,
-}
-
-pub(super) struct Buffers {
-    pub jacobian: Vec<f64>,
-    /// `n_c`.
-    pub sums: Vec<f64>,
-    /// `n_c`.
-    pub residual: Vec<f64>,
-    /// `n_q`.
-    pub delta: Vec<f64>,
 }
 
 impl<P: SceneRef> System<P> {
@@ -103,14 +94,14 @@ impl<P: SceneRef> System<P> {
             scene,
             geometry,
             active,
-            factors: Factors::new([n_q, n_v], n_c, jacobian.clone(), matches!(solver, Solver::Generated)),
+            factors: Factors::new([n_q, n_v], n_c, jacobian, matches!(solver, Solver::Generated)),
             solver,
             sines: Sines::new(n_q, takes_sines),
             fixed,
             integrated,
             mass,
             euclidean: None,
-            buffers: Buffers { jacobian, sums: vec![0.0; n_c], residual: vec![0.0; n_c], delta: vec![0.0; n_v] },
+            residual: vec![0.0; n_c],
             counters: Counters::new(),
             info,
         })
@@ -240,7 +231,7 @@ fn solver(info: &SceneInfo, mass: &[f64], needs_pivots: bool, backend: Backend) 
     match backend {
         Backend::Auto if needs_pivots && info.n_unknowns() <= largest => dense(info),
         Backend::Auto if !info.has_elimination() => match massless.map(|i| body_of(info, i)) {
-            None => without_elimination(info),
+            None => without_elimination(info, mass),
             Some((body, quantity)) => {
                 let (n, limit) = (info.n_unknowns(), LARGEST_DENSE);
                 Err(SystemError::MasslessInLargeScene { body, quantity, n, limit })
@@ -251,7 +242,7 @@ fn solver(info: &SceneInfo, mass: &[f64], needs_pivots: bool, backend: Backend) 
         Backend::Dense => dense(info),
         Backend::Generated if !info.has_elimination() => Err(SystemError::NoElimination { scene: info.name }),
         Backend::Generated => needs_mass("generated").map(|()| Solver::Generated),
-        Backend::Sparse => needs_mass("sparse").and_then(|()| sparse(info)).map(Solver::Sparse),
+        Backend::Sparse => needs_mass("sparse").and_then(|()| sparse(info, mass)).map(Solver::Sparse),
     }
 }
 
@@ -264,29 +255,30 @@ fn dense(info: &SceneInfo) -> Result<Solver, SystemError> {
 }
 
 /// Sparse factors; without the feature for them the dense solver, as far as it goes.
-fn without_elimination(info: &SceneInfo) -> Result<Solver, SystemError> {
+fn without_elimination(info: &SceneInfo, mass: &[f64]) -> Result<Solver, SystemError> {
     if !HAS_SPARSE && info.n_unknowns() <= LARGEST_DENSE {
         return Ok(Solver::Dense);
     }
-    sparse(info).map(Solver::Sparse)
+    sparse(info, mass).map(Solver::Sparse)
 }
 
 /// Factors over blocks of joints where they cost less, else those of K.
-pub(super) fn sparse(info: &SceneInfo) -> Result<Box<dyn KktFactorization>, SystemError> {
+pub(super) fn sparse(info: &SceneInfo, mass: &[f64]) -> Result<Box<dyn KktFactorization>, SystemError> {
     if !HAS_SPARSE {
         return Err(SystemError::WithoutSparse { scene: info.name });
     }
-    let (n_v, n_rows) = (info.n_velocities(), info.n_rows());
-    let joints = if info.is_planar() { by_joints(n_v, &info.jacobian, n_rows) } else { None };
+    let n_rows = info.n_rows();
+    let joints = if info.is_planar() { by_joints(mass, &info.jacobian, n_rows) } else { None };
     Ok(match joints {
         Some(kkt) => kkt,
-        None => Box::new(SparseKkt::new(n_v, &info.jacobian, n_rows)?),
+        None => Box::new(SparseKkt::new(mass, &info.jacobian, n_rows)?),
     })
 }
 
 /// The backend that takes a scene without a generated elimination, with which factors and at what cost, or why none can; `None` for a scene that has one.
 pub fn described_solver(info: &SceneInfo) -> Option<(Backend, String)> {
-    let describe = || match without_elimination(info) {
+    let masses = vec![1.0; info.n_velocities()];
+    let describe = || match without_elimination(info, &masses) {
         Ok(Solver::Sparse(kkt)) => (Backend::Sparse, kkt.describe()),
         Ok(_) => (Backend::Dense, format!("null-space method, {} equations", info.n_unknowns())),
         Err(error) => (Backend::Sparse, error.to_string()),

@@ -120,10 +120,10 @@ pub(super) fn add<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slope: 
 /// What a state holds, or the rates of that.
 #[derive(Clone, Copy)]
 pub(super) struct Numbers<'s, T> {
-    q: &'s [T],
-    v: &'s [T],
-    z: &'s [T],
-    work: &'s [T],
+    pub q: &'s [T],
+    pub v: &'s [T],
+    pub z: &'s [T],
+    pub work: &'s [T],
 }
 
 impl<'s, T> From<&'s State<T>> for Numbers<'s, T> {
@@ -147,13 +147,14 @@ pub(super) fn advance<'s, T: Scalar>(
     slope: impl Into<Numbers<'s, T>>,
 ) {
     let (h, from, slope) = (T::from_f64(h), from.into(), slope.into());
-    let line = |to: &mut [T], from: &[T], slope: &[T]| {
-        to.iter_mut().zip(from).zip(slope).for_each(|((to, from), slope)| *to = *from + h * *slope);
-    };
-    line(&mut to.q, from.q, slope.q);
-    line(&mut to.v, from.v, slope.v);
-    if !slope.z.is_empty() {
-        line(&mut to.z, from.z, slope.z);
-    }
-    line(&mut to.work, from.work, slope.work);
+    line(&mut to.q, from.q, h, slope.q);
+    line(&mut to.v, from.v, h, slope.v);
+    line(&mut to.z, from.z, h, slope.z);
+    line(&mut to.work, from.work, h, slope.work);
+}
+
+/// `to = from + h slope`.
+#[inline]
+pub(super) fn line<T: Scalar>(to: &mut [T], from: &[T], h: T, slope: &[T]) {
+    to.iter_mut().zip(from).zip(slope).for_each(|((to, from), slope)| *to = *from + h * *slope);
 }

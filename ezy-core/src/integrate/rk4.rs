@@ -1,11 +1,11 @@
 //! The classical Runge–Kutta method of order 4.
 
-use super::Integrator;
 use super::family::{Family, MethodInfo, Needs, Sizes};
-use super::fixed_steps::{FixedSteps, Stages, add, advance};
+use super::fixed_steps::{FixedSteps, Numbers, Stages, advance, line};
 use super::hermite::Node;
 use super::step_control::Tolerance;
 use super::tolerances::second_run::{ROUNDING, TIGHTER};
+use super::{Integrator, compensated};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::scalar::Scalar;
 
@@ -18,8 +18,8 @@ use crate::scalar::Scalar;
 /// W. Kutta, Z. Math. Phys. 46 (1901) 435–453.
 pub(super) struct Rk4<T = f64> {
     stage: State<T>,
+    /// Rates of the stage; of coordinates none where they are its velocities.
     slope: State<T>,
-    sum: State<T>,
     /// What rounding cut off the last step.
     rest: State<T>,
     lambda: Vec<T>,
@@ -50,13 +50,24 @@ impl Family for Rk4 {
 impl<T: Scalar> Rk4<T> {
     fn new(Sizes { n_q, n_v, n_c, n_z, n_works }: Sizes) -> Self {
         let zero = State::zeros([n_q, n_v], n_z, n_works);
-        Self {
-            stage: zero.clone(),
-            slope: zero.clone(),
-            sum: zero.clone(),
-            rest: zero,
-            lambda: vec![T::from_f64(0.0); n_c],
-        }
+        let n_rates = if n_q == n_v { 0 } else { n_q };
+        let slope = State::zeros([n_rates, n_v], n_z, n_works);
+        Self { stage: zero.clone(), slope, rest: zero, lambda: vec![T::from_f64(0.0); n_c] }
+    }
+
+    fn slope(&self) -> Numbers<'_, T> {
+        let numbers = Numbers::from(&self.slope);
+        if numbers.q.is_empty() { Numbers { q: &self.stage.v, ..numbers } } else { numbers }
+    }
+
+    /// The stage at `from + h slope`. The time is left alone.
+    fn advance_stage(&mut self, from: &State<T>, h: f64) {
+        let (Self { stage, slope, .. }, h) = (self, T::from_f64(h));
+        // coordinates come first: the velocities that are their rates are those of the stage before
+        line(&mut stage.q, &from.q, h, if slope.q.is_empty() { &stage.v } else { &slope.q });
+        line(&mut stage.v, &from.v, h, &slope.v);
+        line(&mut stage.z, &from.z, h, &slope.z);
+        line(&mut stage.work, &from.work, h, &slope.work);
     }
 }
 
@@ -78,10 +89,12 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
         {
             match stage {
                 0 => advance(&mut self.stage, start, c, from),
-                _ => advance(&mut self.stage, start, c, &self.slope),
+                _ => self.advance_stage(start, c),
             }
             self.stage.t = t;
-            system.position_rates(&self.stage.q, &self.stage.v, &mut self.slope.q);
+            if !self.slope.q.is_empty() {
+                system.position_rates(&self.stage.q, &self.stage.v, &mut self.slope.q);
+            }
             if has_states {
                 system.place_states(&self.stage.z);
             }
@@ -91,11 +104,12 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
             }
             system.power(t, &self.stage.q, &self.stage.v, &self.lambda, &mut self.slope.work);
             match stage {
-                0 => advance(&mut self.sum, from, b, &self.slope),
-                _ => accumulate(&mut self.sum, b, &self.slope),
+                // the end holds the sum of the slopes until they are all there
+                0 => advance(to, from, b, self.slope()),
+                _ => accumulate(to, b, self.slope()),
             }
         }
-        add(to, start, h / 6.0, &self.sum, &mut self.rest);
+        finish(to, start, h / 6.0, &mut self.rest);
         to.t = t_next;
         Ok(())
     }
@@ -109,14 +123,30 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
     }
 }
 
+/// `to = from + h to`, with what rounding cuts off in `rest`.
+fn finish<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, rest: &mut State<T>) {
+    let h = T::from_f64(h);
+    let add = |to: &mut [T], from: &[T], rest: &mut [T]| {
+        for ((to, from), rest) in to.iter_mut().zip(from).zip(rest) {
+            *to = compensated::add(*from, h * *to, rest);
+        }
+    };
+    add(&mut to.q, &from.q, &mut rest.q);
+    add(&mut to.v, &from.v, &mut rest.v);
+    if !from.z.is_empty() {
+        add(&mut to.z, &from.z, &mut rest.z);
+    }
+    add(&mut to.work, &from.work, &mut rest.work);
+}
+
 /// `sum += b slope`.
-fn accumulate<T: Scalar>(sum: &mut State<T>, b: f64, slope: &State<T>) {
+fn accumulate<T: Scalar>(sum: &mut State<T>, b: f64, slope: Numbers<'_, T>) {
     let b = T::from_f64(b);
     let add = |sum: &mut [T], slope: &[T]| sum.iter_mut().zip(slope).for_each(|(s, x)| *s = *s + b * *x);
-    add(&mut sum.q, &slope.q);
-    add(&mut sum.v, &slope.v);
+    add(&mut sum.q, slope.q);
+    add(&mut sum.v, slope.v);
     if !slope.z.is_empty() {
-        add(&mut sum.z, &slope.z);
+        add(&mut sum.z, slope.z);
     }
-    add(&mut sum.work, &slope.work);
+    add(&mut sum.work, slope.work);
 }

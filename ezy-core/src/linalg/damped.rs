@@ -51,12 +51,11 @@ impl DampedKkt {
         &mut self,
         kkt: &mut dyn KktFactorization,
         pattern: &SparsityPattern,
-        mass: &[f64],
         jacobian: &[f64],
     ) -> Result<(), VanishedPivot> {
         write_diagonal(pattern.entries(), &self.weight, jacobian, &mut self.diagonal);
         self.damping.iter_mut().zip(&self.diagonal).for_each(|(damping, diagonal)| *damping = SHARE * diagonal);
-        kkt.factor_damped(mass, jacobian, &self.damping)
+        kkt.factor_damped(jacobian, &self.damping)
     }
 
     /// Replaces `[r; s]` by `[x; y]` with the factors of the last [`Self::factor`].
@@ -131,9 +130,9 @@ mod tests {
     fn analytic_a_row_at_an_angle_of_1e_4_holds_and_a_repeated_one_does_not_matter() {
         const ROWS: SparsityPattern = SparsityPattern::new(&[0, 2, 4, 6], &[0, 1, 0, 1, 0, 1]);
         let (mass, jacobian) = ([1.0, 1.0], [1.0, 0.0, 1.0, 1e-4, 1.0, 0.0]);
-        let mut kkt = SparseKkt::new(2, &ROWS, 3).unwrap();
+        let mut kkt = SparseKkt::new(&mass, &ROWS, 3).unwrap();
         let mut damped = DampedKkt::new(&mass, &ROWS);
-        damped.factor(&mut kkt, &ROWS, &mass, &jacobian).unwrap();
+        damped.factor(&mut kkt, &ROWS, &jacobian).unwrap();
         let mut x = [1.0, 1.0, 0.0, 0.0, 0.0];
         damped.solve(&mut kkt, &mass, &jacobian, &[1.0, 1.0], &mut x);
         assert!(x[0].abs() <= HELD && x[1].abs() <= HELD, "{x:?}");

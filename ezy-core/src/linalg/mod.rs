@@ -80,20 +80,20 @@ pub enum Backend {
     Sparse,
 }
 
-/// An elimination of K in an order known beforehand, made again at each state. It decides nothing about rank.
+/// An elimination of K with a given M, in an order known beforehand, made again at each state. It decides nothing about rank.
 pub trait KktFactorization: Send {
-    /// Factors K for the diagonal `mass` (`n_q`) and the entries `jacobian` of G in the order of the pattern.
+    /// Factors K with the entries `jacobian` of G in the order of the pattern.
     ///
     /// # Errors
     /// [`VanishedPivot`] when K is singular to working precision.
-    fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot>;
+    fn factor(&mut self, jacobian: &[f64]) -> Result<(), VanishedPivot>;
 
     /// As [`Self::factor`], of `[M Gᵀ; G −Δ]` with the positive diagonal `damping` (`n_c`) of Δ; regular whatever the rank
     /// of G.
     ///
     /// # Errors
     /// [`VanishedPivot`] when a number is not finite, or a coordinate has neither mass nor a row that holds it.
-    fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot>;
+    fn factor_damped(&mut self, jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot>;
 
     /// Smallest pivot of a row after a successful [`Self::factor`], relative to what it started from.
     fn smallest_pivot(&self) -> f64;
@@ -105,13 +105,8 @@ pub trait KktFactorization: Send {
     ///
     /// # Errors
     /// As [`Self::factor`].
-    fn factor_and_solve(
-        &mut self,
-        mass: &[f64],
-        jacobian: &[f64],
-        right_side: &mut [f64],
-    ) -> Result<(), VanishedPivot> {
-        self.factor(mass, jacobian)?;
+    fn factor_and_solve(&mut self, jacobian: &[f64], right_side: &mut [f64]) -> Result<(), VanishedPivot> {
+        self.factor(jacobian)?;
         self.solve(right_side);
         Ok(())
     }

@@ -22,7 +22,8 @@ use faer::{Conj, MatMut, Par, Side, Spec};
 /// A body with very many joints comes after these joints instead, so that trees cost O(n) whatever their shape. A row
 /// that its other bodies alone do not support has no pivot in that order; then the first one is taken from there on.
 pub struct SparseKkt {
-    n_q: usize,
+    /// Diagonal of M.
+    mass: Vec<f64>,
     /// (row, column) of each entry of G.
     entries: Vec<(usize, usize)>,
     analysis: Analysis,
@@ -51,22 +52,22 @@ struct Analysis {
 }
 
 impl SparseKkt {
-    /// Analyses the pattern of the first `n_rows` rows and allocates everything.
+    /// Analyses the pattern of the first `n_rows` rows and allocates everything; `mass` is the diagonal of M.
     ///
     /// # Errors
     /// [`SparseKktError`] when the analysis fails, for want of memory.
-    pub fn new(n_q: usize, jacobian: &SparsityPattern, n_rows: usize) -> Result<Self, SparseKktError> {
+    pub fn new(mass: &[f64], jacobian: &SparsityPattern, n_rows: usize) -> Result<Self, SparseKktError> {
         let entries = jacobian.entries().filter(|(_, row, _)| *row < n_rows).map(|(_, row, column)| (row, column));
-        Self::from_entries(n_q, n_rows, entries.collect())
+        Self::from_entries(mass, n_rows, entries.collect())
     }
 
     /// As [`Self::new`], from the (row, column) of each entry of G, in any order.
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub fn from_entries(n_q: usize, n_rows: usize, entries: Vec<(usize, usize)>) -> Result<Self, SparseKktError> {
-        let analysis = Analysis::new(n_q, n_rows, &entries, true)?;
-        Ok(Self { n_q, entries, analysis, pivot_starts: vec![0.0; n_rows], smallest_pivot: 1.0 })
+    pub fn from_entries(mass: &[f64], n_rows: usize, entries: Vec<(usize, usize)>) -> Result<Self, SparseKktError> {
+        let analysis = Analysis::new(mass.len(), n_rows, &entries, true)?;
+        Ok(Self { mass: mass.to_vec(), entries, analysis, pivot_starts: vec![0.0; n_rows], smallest_pivot: 1.0 })
     }
 
     /// Stored entries of L.
@@ -75,10 +76,10 @@ impl SparseKkt {
     }
 
     /// Writes values, and for each row the part of `g M⁻¹ gᵀ` that its pivot starts from.
-    fn assemble(&mut self, mass: &[f64], jacobian: &[f64]) {
+    fn assemble(&mut self, jacobian: &[f64]) {
         let Analysis { values, mass_places, jacobian_places, supports, .. } = &mut self.analysis;
         values.fill(0.0);
-        for (place, m) in mass_places.iter().zip(mass) {
+        for (place, m) in mass_places.iter().zip(&self.mass) {
             values[*place] = *m;
         }
         self.pivot_starts.fill(0.0);
@@ -86,13 +87,13 @@ impl SparseKkt {
         for (((place, supports), (row, column)), g) in places.zip(jacobian) {
             values[*place] += *g;
             if *supports {
-                self.pivot_starts[*row] += g * g / mass[*column];
+                self.pivot_starts[*row] += g * g / self.mass[*column];
             }
         }
     }
 
-    fn try_factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
-        self.assemble(mass, jacobian);
+    fn try_factor(&mut self, jacobian: &[f64]) -> Result<(), VanishedPivot> {
+        self.assemble(jacobian);
         self.analysis.eliminate()?;
         let pivots = self.analysis.pivot_places.iter().map(|place| -self.analysis.factors[*place]);
         self.smallest_pivot = 1.0;
@@ -174,22 +175,22 @@ impl Analysis {
 }
 
 impl KktFactorization for SparseKkt {
-    fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
-        let outcome = self.try_factor(mass, jacobian);
+    fn factor(&mut self, jacobian: &[f64]) -> Result<(), VanishedPivot> {
+        let outcome = self.try_factor(jacobian);
         if outcome.is_ok() || !self.analysis.hubs_last {
             return outcome;
         }
-        match Analysis::new(self.n_q, self.pivot_starts.len(), &self.entries, false) {
+        match Analysis::new(self.mass.len(), self.pivot_starts.len(), &self.entries, false) {
             Err(_) => outcome,
             Ok(analysis) => {
                 self.analysis = analysis;
-                self.try_factor(mass, jacobian)
+                self.try_factor(jacobian)
             }
         }
     }
 
-    fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot> {
-        self.assemble(mass, jacobian);
+    fn factor_damped(&mut self, jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot> {
+        self.assemble(jacobian);
         let Analysis { values, row_places, .. } = &mut self.analysis;
         for (place, damping) in row_places.iter().zip(damping) {
             values[*place] = -damping;
@@ -204,7 +205,7 @@ impl KktFactorization for SparseKkt {
     }
 
     fn solve(&mut self, right_side: &mut [f64]) {
-        debug_assert_eq!(right_side.len(), self.n_q + self.pivot_starts.len());
+        debug_assert_eq!(right_side.len(), self.mass.len() + self.pivot_starts.len());
         let n = right_side.len();
         let Analysis { symbolic, factors, scratch, .. } = &mut self.analysis;
         LdltRef::new(symbolic, factors).solve_in_place_with_conj(

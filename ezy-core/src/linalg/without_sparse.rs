@@ -20,28 +20,28 @@ pub struct SparseKkt(Infallible);
 impl SparseKkt {
     /// # Errors
     /// [`SparseKktError`].
-    pub fn new(n_q: usize, _: &SparsityPattern, n_rows: usize) -> Result<Self, SparseKktError> {
-        Err(refused(n_q + n_rows))
+    pub fn new(mass: &[f64], _: &SparsityPattern, n_rows: usize) -> Result<Self, SparseKktError> {
+        Err(refused(mass.len() + n_rows))
     }
 
     /// # Errors
     /// [`SparseKktError`].
-    pub fn from_entries(n_q: usize, n_rows: usize, _: Vec<(usize, usize)>) -> Result<Self, SparseKktError> {
-        Err(refused(n_q + n_rows))
+    pub fn from_entries(mass: &[f64], n_rows: usize, _: Vec<(usize, usize)>) -> Result<Self, SparseKktError> {
+        Err(refused(mass.len() + n_rows))
     }
 }
 
 /// There are none.
-pub(crate) fn by_joints(_: usize, _: &SparsityPattern, _: usize) -> Option<Box<dyn KktFactorization>> {
+pub(crate) fn by_joints(_: &[f64], _: &SparsityPattern, _: usize) -> Option<Box<dyn KktFactorization>> {
     None
 }
 
 impl KktFactorization for SparseKkt {
-    fn factor(&mut self, _: &[f64], _: &[f64]) -> Result<(), VanishedPivot> {
+    fn factor(&mut self, _: &[f64]) -> Result<(), VanishedPivot> {
         match self.0 {}
     }
 
-    fn factor_damped(&mut self, _: &[f64], _: &[f64], _: &[f64]) -> Result<(), VanishedPivot> {
+    fn factor_damped(&mut self, _: &[f64], _: &[f64]) -> Result<(), VanishedPivot> {
         match self.0 {}
     }
 

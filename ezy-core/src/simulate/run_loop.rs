@@ -200,13 +200,13 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
 
     /// Ends the run within a step; monitors do not see the rest of the step.
     fn end(&mut self, end: Passage) -> Result<Passage, StopReason> {
-        let state = &mut self.samples.within.state;
+        let state = &mut self.samples.within().state;
         self.stepper.find(end.t, state)?;
         let StepperState { system, projection, now, .. } = &mut self.stepper;
         self.watch.look(system, now.state.t, state, &projection.projected, true)?;
         self.detector.keep(&mut self.stepper)?;
         self.samples.keep_within(&mut self.stepper, end.t)?;
-        self.stepper.end_at(end.t, &mut self.samples.within.state)?;
+        self.stepper.end_at(end.t, &mut self.samples.within().state)?;
         self.stepper.accept();
         self.rank.see(&mut self.stepper);
         Ok(end)

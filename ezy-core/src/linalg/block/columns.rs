@@ -1,6 +1,6 @@
 //! The columns of the factors: which blocks stand below the diagonal, and which of them the elimination of each changes.
 
-use super::form::{Form, Layout};
+use super::form::{Form, Layout, turned};
 use super::{Block, Column};
 use crate::linalg::VanishedPivot;
 use crate::linalg::joints::{BODIES, Joint, Plan};
@@ -96,7 +96,7 @@ const NOT_SHARED: u8 = BODIES as u8;
 /// All of them.
 pub(super) struct Columns<const B: usize, const N: usize> {
     pub nodes: Vec<Node<B, N>>,
-    /// The usual one first.
+    /// The usual one first, then that one turned.
     pub layouts: Vec<Layout<N>>,
     /// Of the columns in the list, one after the other.
     pub below: Vec<Below>,
@@ -143,7 +143,7 @@ impl<const B: usize, const N: usize> Columns<B, N> {
                 columns.below.extend(blocks);
             }
             starts.push(start);
-            let layout = layout::<F, B, N>(joint, pattern, &mut columns.layouts);
+            let layout = layout::<F, B, N>(joint, false, pattern, &mut columns.layouts);
             columns.nodes.push(Node {
                 slots: [[0.0; N]; BODIES],
                 pending: [[0.0; B]; B],
@@ -174,9 +174,10 @@ pub(super) fn bodies(joint: &Joint) -> [u32; BODIES] {
     from_fn(|i| joint.bodies.get(i).or(joint.bodies.first()).copied().unwrap_or_default())
 }
 
-/// Where the entries of a joint stand, among the layouts.
+/// Where the entries of a joint stand, among the layouts; `is_turned`: with the second body first.
 pub(super) fn layout<F: Form<B, N>, const B: usize, const N: usize>(
     joint: &Joint,
+    is_turned: bool,
     pattern: &SparsityPattern,
     layouts: &mut Vec<Layout<N>>,
 ) -> u32 {
@@ -186,6 +187,9 @@ pub(super) fn layout<F: Form<B, N>, const B: usize, const N: usize>(
         if let (Some(side), Some(at)) = (joint.side_of(body as u32), F::place(row, component)) {
             own[side][at] = (entry - pattern.row(joint.first_row).start) as u32;
         }
+    }
+    if is_turned {
+        own = turned(own);
     }
     let known = layouts.iter().position(|known| *known == own);
     known.unwrap_or_else(|| {

@@ -8,6 +8,11 @@ use crate::model::coordinate::N_OF_BODY;
 /// Where each number that a joint keeps stands among its entries of G, for each body; beyond all of them where it is zero.
 pub(super) type Layout<const N: usize> = [[u32; N]; BODIES];
 
+/// With the second body before the first.
+pub(super) fn turned<const N: usize>([first, second]: Layout<N>) -> Layout<N> {
+    [second, first]
+}
+
 /// How the part of Γ = G M^−½ that one joint has of one body is kept, in `N` numbers. Γ Γᵀ is A, and nothing else asks for masses.
 pub(super) trait Form<const B: usize, const N: usize>: Send {
     /// Whether all joints have `B` rows.

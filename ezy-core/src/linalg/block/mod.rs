@@ -14,11 +14,12 @@ use super::{KktFactorization, VanishedPivot};
 use crate::model::coordinate::{N_OF_BODY, body_and_component, n_bodies};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
 use columns::{Below, Columns, Node, Rows};
-use form::{Aligned, Form, Full, Layout};
+use form::{Aligned, Form, Full, Layout, turned};
 use fraction::Fraction;
 use paths::{Given, Paths};
 use std::array::from_fn;
 use std::marker::PhantomData;
+use std::ops::Range;
 use two::Number;
 
 /// A column of a block: one number for each row of a joint.
@@ -26,6 +27,27 @@ type Column<const B: usize, T = f64> = [T; B];
 
 /// The columns of a block of A.
 type Block<const B: usize, T = f64> = [Column<B, T>; B];
+
+/// Numbers of a body.
+type OfBody<T = f64> = [T; N_OF_BODY];
+
+/// M^½ x by body, which substitution begins with; where it `SCALES`, of r, by the roots.
+#[derive(Clone, Copy)]
+struct Bodies<'a, const SCALES: bool> {
+    of: &'a [OfBody],
+    roots: &'a [OfBody],
+}
+
+impl<const SCALES: bool> Bodies<'_, SCALES> {
+    #[inline(always)]
+    fn at(&self, body: u32) -> OfBody {
+        let (of, roots) = (&self.of[body as usize], &self.roots[body as usize]);
+        if SCALES { from_fn(|i| of[i] * roots[i]) } else { *of }
+    }
+}
+
+/// A right side `[r; s]`.
+type RightSide<'a> = (Bodies<'a, true>, &'a [f64]);
 
 /// LDLᵀ factors of `A = G M⁻¹ Gᵀ`, which is what remains of K without its masses, for joints of up to `B` rows. Joints with fewer rows have ones on
 /// the rest of their diagonal.
@@ -36,7 +58,7 @@ struct BlockKkt<F, const B: usize, const N: usize> {
     paths: Vec<Paths<B, N>>,
     /// Joints that are in no path.
     nodes: Vec<Node<B, N>>,
-    /// How entries of joints stand in G; the usual one first.
+    /// How entries of joints stand in G; the usual one first, then that one turned.
     layouts: Vec<Layout<N>>,
     below: Vec<Below>,
     /// Columns that have not just one block below the diagonal, or to whose block others add, one after the other: what eliminated columns leave
@@ -45,27 +67,25 @@ struct BlockKkt<F, const B: usize, const N: usize> {
     /// The blocks below the diagonal that the elimination of each column changes, from the last row to the first, counted from the column
     /// behind it.
     targets: Vec<u32>,
-    /// Masses that the roots were made of.
-    mass: Vec<f64>,
     /// M^−½ by body.
-    roots: Vec<[f64; N_OF_BODY]>,
-    /// M^½ x of the right side and of the solution, by body.
-    x: Vec<[f64; N_OF_BODY]>,
-    /// y before it is refined, `n_c`.
+    roots: Vec<OfBody>,
+    /// Bodies that do not lie within a path.
+    others: Vec<Range<usize>>,
+    /// y before it is refined, `n_c`; made when it is first needed.
     first: Vec<f64>,
     smallest_pivot: f64,
     /// Whether solutions are refined once.
     refines: bool,
 }
 
-/// The elimination over blocks of a system with `n_q` coordinates, those of each body together; none where another one costs less.
-pub(crate) fn by_joints(n_q: usize, jacobian: &SparsityPattern, n_rows: usize) -> Option<Box<dyn KktFactorization>> {
-    let plan = Plan::new(n_q, jacobian, n_rows)?;
+/// The elimination over blocks of a system with these masses, the coordinates of each body together; none where another one costs less.
+pub(crate) fn by_joints(mass: &[f64], jacobian: &SparsityPattern, n_rows: usize) -> Option<Box<dyn KktFactorization>> {
+    let plan = Plan::new(mass.len(), jacobian, n_rows)?;
     Some(match plan.joints.iter().map(|joint| joint.n_rows).max() {
-        None | Some(0 | 1) => Box::new(BlockKkt::<Full, 1, 3>::new(n_q, jacobian, &plan)),
-        Some(2) if are_aligned(jacobian, &plan) => Box::new(BlockKkt::<Aligned, 2, 4>::new(n_q, jacobian, &plan)),
-        Some(2) => Box::new(BlockKkt::<Full, 2, 6>::new(n_q, jacobian, &plan)),
-        Some(_) => Box::new(BlockKkt::<Full, 3, 9>::new(n_q, jacobian, &plan)),
+        None | Some(0 | 1) => Box::new(BlockKkt::<Full, 1, 3>::new(mass, jacobian, &plan)),
+        Some(2) if are_aligned(jacobian, &plan) => Box::new(BlockKkt::<Aligned, 2, 4>::new(mass, jacobian, &plan)),
+        Some(2) => Box::new(BlockKkt::<Full, 2, 6>::new(mass, jacobian, &plan)),
+        Some(_) => Box::new(BlockKkt::<Full, 3, 9>::new(mass, jacobian, &plan)),
     })
 }
 
@@ -77,58 +97,48 @@ fn are_aligned(pattern: &SparsityPattern, plan: &Plan) -> bool {
 }
 
 impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
-    fn new(n_q: usize, pattern: &SparsityPattern, plan: &Plan) -> Self {
-        let mut layouts = vec![F::USUAL];
+    fn new(mass: &[f64], pattern: &SparsityPattern, plan: &Plan) -> Self {
+        let mut layouts = vec![F::USUAL, turned(F::USUAL)];
         let paths = paths::paths::<F, B, N>(plan, pattern, &mut layouts);
         let Columns { nodes, layouts, below, targets } = Columns::new::<F>(plan, pattern, layouts);
         Self {
             form: PhantomData,
-            first: vec![0.0; plan.joints.iter().map(|joint| joint.n_rows).sum()],
+            first: Vec::new(),
+            others: others(&paths, n_bodies(mass.len())),
             paths,
             nodes,
             layouts,
             lower: vec![[[0.0; B]; B]; below.len()],
             below,
             targets,
-            mass: vec![f64::NAN; n_q],
-            roots: vec![[0.0; N_OF_BODY]; n_bodies(n_q)],
-            x: vec![[0.0; N_OF_BODY]; n_bodies(n_q)],
+            roots: mass.as_chunks().0.iter().map(|mass: &OfBody| mass.map(|m| 1.0 / m.sqrt())).collect(),
             smallest_pivot: 1.0,
             refines: false,
         }
     }
 
-    /// Makes the roots of other masses.
-    fn take_masses(&mut self, mass: &[f64]) {
-        // all are compared, without a branch at each
-        if self.mass.iter().zip(mass).fold(false, |differ, (known, m)| differ | (known != m)) {
-            self.mass.copy_from_slice(mass);
-            self.roots.as_flattened_mut().iter_mut().zip(mass).for_each(|(root, m)| *root = 1.0 / m.sqrt());
-            self.paths.iter_mut().for_each(|paths| paths.take_roots(&self.roots));
-        }
-    }
-
     /// Factors A; `damping` is added to its diagonal. The pivot of each row has to be more than the part `least` of what it started from.
     ///
-    /// Where `s` is given, forward substitution ([`Self::forward`]) is done in the same sweep: both are chains of dependent operations, and the
+    /// Where a right side is given, forward substitution ([`Self::forward`]) is done in the same sweep: both are chains of dependent operations, and the
     /// processor overlaps them.
     fn eliminate(
         &mut self,
         jacobian: &[f64],
         damping: Option<&[f64]>,
         least: f64,
-        s: Option<&[f64]>,
+        right_side: Option<&[f64]>,
     ) -> Result<(), VanishedPivot> {
-        let Self { paths, nodes, layouts, roots, below, lower, targets, smallest_pivot, x, .. } = self;
+        let Self { paths, nodes, layouts, roots, below, lower, targets, smallest_pivot, .. } = self;
+        let right_side = right_side.map(|both| parts(both, roots));
         lower.iter_mut().zip(&*below).filter(|(_, of)| of.is_filled).for_each(|(block, _)| *block = [[0.0; B]; B]);
         let mut list = List { lower, below, targets };
         begin::<F, B, N>(nodes, layouts, jacobian, roots);
-        let given = Given { layouts, jacobian, damping, least };
+        let given = Given { layouts, jacobian, roots, damping, least };
         let mut smallest = 1.0;
         for paths in paths {
             smallest = paths.eliminate::<F>(nodes, &given)?.min(smallest);
-            if let Some(s) = s {
-                paths.forward::<F>(nodes, x, s);
+            if let Some((x, s)) = right_side {
+                paths.forward::<F, true>(nodes, x, s);
             }
         }
         let mut rest = &mut nodes[..];
@@ -160,12 +170,12 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
                 let scaled = inverse.numerator.map(|of_row| apply(&block, &of_row));
                 subtract_product(&mut late.pending, &scaled, &block, reciprocal);
                 joint.lower = times(&scaled, reciprocal);
-                if let Some(s) = s {
-                    let sum = forward::<F, B, N>(joint, x, s);
+                if let Some((x, s)) = right_side {
+                    let sum = forward::<F, B, N, true>(joint, x, s);
                     subtract(&mut late.y, &apply(&joint.lower, &sum));
                 }
             } else {
-                list.eliminate::<F, N>(joint, later, &inverse.numerator, reciprocal, s.map(|s| (&x[..], s)));
+                list.eliminate::<F, N>(joint, later, &inverse.numerator, reciprocal, right_side);
             }
             rest = later;
         }
@@ -174,14 +184,15 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     }
 
     /// `L y = Γ x − s`.
-    fn forward(&mut self, s: &[f64]) {
-        let Self { paths, nodes, lower, below, x, .. } = self;
+    fn forward<const SCALES: bool>(&mut self, x: &[OfBody], s: &[f64]) {
+        let Self { paths, nodes, lower, below, roots, .. } = self;
+        let x = Bodies::<'_, SCALES> { of: x, roots };
         nodes.iter_mut().for_each(|joint| joint.y = [0.0; B]);
-        paths.iter_mut().for_each(|paths| paths.forward::<F>(nodes, x, s));
+        paths.iter_mut().for_each(|paths| paths.forward::<F, SCALES>(nodes, x, s));
         let mut column = Pairs(lower, below);
         let mut rest = &mut nodes[..];
         while let Some((joint, later)) = rest.split_first_mut() {
-            let sum = forward::<F, B, N>(joint, x, s);
+            let sum = forward::<F, B, N, SCALES>(joint, x, s);
             match joint.next {
                 0 => column
                     .take_first(joint.n_lower)
@@ -192,10 +203,15 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         }
     }
 
-    /// `D Lᵀ y = y`, then `x −= Γᵀ y`; hands out the rows of each joint, and y there.
+    /// `D Lᵀ y = y`, then `x −= Γᵀ y`; hands out the rows of each joint, and y there. Of bodies within paths x is scaled by the roots before where it
+    /// `BEGINS`, and behind where it `ENDS`.
     #[inline]
-    fn backward(&mut self, mut found: impl FnMut(Rows, &Column<B>)) {
-        let Self { paths, nodes, lower, below, x, .. } = self;
+    fn backward<const BEGINS: bool, const ENDS: bool>(
+        &mut self,
+        x: &mut [OfBody],
+        mut found: impl FnMut(Rows, &Column<B>),
+    ) {
+        let Self { paths, nodes, lower, below, roots, .. } = self;
         let mut column = Pairs(lower, below);
         for k in (0..nodes.len()).rev() {
             let Some((joint, later)) = nodes[k..].split_first_mut() else { continue };
@@ -213,36 +229,52 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
             }
             found(joint.rows, &solved);
         }
-        paths.iter_mut().for_each(|paths| paths.backward::<F>(nodes, x, &mut found));
+        paths.iter_mut().for_each(|paths| paths.backward::<F, BEGINS, ENDS>(nodes, x, roots, &mut found));
     }
 
     /// Takes from x what leaves s of its rows, by `M^−½ Γᵀ y` with `A y = G x − s`: with x = M⁻¹ r it gives the solution; once more, with y = 0, it
     /// gives back the digits that small pivots cost. [`Self::forward`] was called before.
     fn finish(&mut self, right_side: &mut [f64]) {
         let (r, s) = right_side.split_at_mut(self.roots.as_flattened().len());
+        let x = r.as_chunks_mut().0;
+        self.scale(x);
         if self.refines {
             let mut first = std::mem::take(&mut self.first);
-            self.backward(|rows, y| rows.write::<F, B, N>(y, &mut first));
-            self.forward(s);
-            self.backward(|rows, y| {
+            first.resize(s.len(), 0.0);
+            self.backward::<true, false>(x, |rows, y| rows.write::<F, B, N>(y, &mut first));
+            self.forward::<false>(x, s);
+            self.backward::<false, true>(x, |rows, y| {
                 let before = rows.of::<F, B, N>(&first);
                 rows.write::<F, B, N>(&from_fn(|r| before[r] + y[r]), s);
             });
             self.first = first;
         } else {
-            self.backward(|rows, y| rows.write::<F, B, N>(y, s));
+            self.backward::<true, true>(x, |rows, y| rows.write::<F, B, N>(y, s));
         }
-        let x = self.x.as_flattened().iter().zip(self.roots.as_flattened());
-        r.iter_mut().zip(x).for_each(|(r, (x, root))| *r = x * root);
+        self.scale(x);
     }
 
-    /// Takes x of a right side, and returns the other part.
-    fn take<'r>(&mut self, right_side: &'r [f64]) -> &'r [f64] {
-        let (r, s) = right_side.split_at(self.roots.as_flattened().len());
-        let of_x = self.x.as_flattened_mut().iter_mut().zip(self.roots.as_flattened());
-        of_x.zip(r).for_each(|((x, root), r)| *x = r * root);
-        s
+    /// `x = M^−½ x` of the bodies that do not lie within a path.
+    fn scale(&self, x: &mut [OfBody]) {
+        for others in &self.others {
+            let roots = self.roots[others.clone()].as_flattened();
+            x[others.clone()].as_flattened_mut().iter_mut().zip(roots).for_each(|(x, root)| *x *= root);
+        }
     }
+}
+
+/// Those of `n` bodies that do not lie within a path.
+fn others<const B: usize, const N: usize>(paths: &[Paths<B, N>], n: usize) -> Vec<Range<usize>> {
+    let mut within = vec![false; n];
+    paths.iter().flat_map(Paths::within).for_each(|body| within[body] = true);
+    let starts = (0..n).filter(|&body| !within[body] && (body == 0 || within[body - 1]));
+    starts.map(|start| start..(start..n).find(|&body| within[body]).unwrap_or(n)).collect()
+}
+
+/// What substitution takes of `[r; s]`.
+fn parts<'a>(right_side: &'a [f64], roots: &'a [OfBody]) -> RightSide<'a> {
+    let (r, s) = right_side.split_at(roots.as_flattened().len());
+    (Bodies { of: r.as_chunks().0, roots }, s)
 }
 
 /// Writes Γ.
@@ -250,7 +282,7 @@ fn begin<F: Form<B, N>, const B: usize, const N: usize>(
     joints: &mut [Node<B, N>],
     layouts: &[Layout<N>],
     jacobian: &[f64],
-    roots: &[[f64; N_OF_BODY]],
+    roots: &[OfBody],
 ) {
     for joint in joints {
         let entries = &jacobian[joint.first_entry as usize..];
@@ -266,14 +298,14 @@ fn begin<F: Form<B, N>, const B: usize, const N: usize>(
 
 /// What a joint and those before it have in `L y = Γ x − s`.
 #[inline]
-fn forward<F: Form<B, N>, const B: usize, const N: usize>(
+fn forward<F: Form<B, N>, const B: usize, const N: usize, const SCALES: bool>(
     joint: &mut Node<B, N>,
-    x: &[[f64; N_OF_BODY]],
+    x: Bodies<'_, SCALES>,
     s: &[f64],
 ) -> Column<B> {
     let mut sum = joint.rows.of::<F, B, N>(s).map(|s| -s);
     for (slot, &body) in joint.slots.iter().zip(&joint.bodies) {
-        F::add(&mut sum, slot, &x[body as usize]);
+        F::add(&mut sum, slot, &x.at(body));
     }
     // what waits for earlier joints comes last
     sum.iter_mut().zip(joint.y).for_each(|(sum, y)| *sum += y);
@@ -289,14 +321,14 @@ struct List<'a, const B: usize> {
 }
 
 impl<const B: usize> List<'_, B> {
-    /// Eliminates the column of a joint whose inverse is `numerator · reciprocal`; with `x` and `s` forward substitution, too.
+    /// Eliminates the column of a joint whose inverse is `numerator · reciprocal`; with a right side forward substitution, too.
     fn eliminate<F: Form<B, N>, const N: usize>(
         &mut self,
         joint: &mut Node<B, N>,
         later: &mut [Node<B, N>],
         numerator: &Block<B>,
         reciprocal: f64,
-        right_side: Option<(&[[f64; N_OF_BODY]], &[f64])>,
+        right_side: Option<RightSide<'_>>,
     ) {
         let (column, of_column);
         (column, self.lower) = std::mem::take(&mut self.lower).split_at_mut(joint.n_lower as usize);
@@ -323,7 +355,7 @@ impl<const B: usize> List<'_, B> {
             column[i] = times(&scaled, reciprocal);
         }
         if let Some((x, s)) = right_side {
-            let sum = forward::<F, B, N>(joint, x, s);
+            let sum = forward::<F, B, N, true>(joint, x, s);
             let column = column.iter().zip(of_column);
             column.for_each(|(block, of)| subtract(&mut later[of.row as usize - 1].y, &apply(block, &sum)));
         }
@@ -357,28 +389,19 @@ impl<'a, A, C> Pairs<'a, A, C> {
 }
 
 impl<F: Form<B, N>, const B: usize, const N: usize> KktFactorization for BlockKkt<F, B, N> {
-    fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
-        self.take_masses(mass);
+    fn factor(&mut self, jacobian: &[f64]) -> Result<(), VanishedPivot> {
         self.eliminate(jacobian, None, PIVOT_TOLERANCE, None)?;
         self.refines = self.smallest_pivot < REFINED;
         Ok(())
     }
 
-    fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot> {
-        self.take_masses(mass);
+    fn factor_damped(&mut self, jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot> {
         self.refines = false;
         self.eliminate(jacobian, Some(damping), 0.0, None)
     }
 
-    fn factor_and_solve(
-        &mut self,
-        mass: &[f64],
-        jacobian: &[f64],
-        right_side: &mut [f64],
-    ) -> Result<(), VanishedPivot> {
-        self.take_masses(mass);
-        let s = self.take(right_side);
-        self.eliminate(jacobian, None, PIVOT_TOLERANCE, Some(s))?;
+    fn factor_and_solve(&mut self, jacobian: &[f64], right_side: &mut [f64]) -> Result<(), VanishedPivot> {
+        self.eliminate(jacobian, None, PIVOT_TOLERANCE, Some(right_side))?;
         self.refines = self.smallest_pivot < REFINED;
         self.finish(right_side);
         Ok(())
@@ -389,8 +412,8 @@ impl<F: Form<B, N>, const B: usize, const N: usize> KktFactorization for BlockKk
     }
 
     fn solve(&mut self, right_side: &mut [f64]) {
-        let s = self.take(right_side);
-        self.forward(s);
+        let (r, s) = right_side.split_at(self.roots.as_flattened().len());
+        self.forward::<true>(r.as_chunks().0, s);
         self.finish(right_side);
     }
 

@@ -4,15 +4,12 @@ use super::columns::{Rows, bodies, layout};
 use super::form::{Form, Layout};
 use super::fraction::Fraction;
 use super::two::{Number, Two};
-use super::{Block, Column, Node, apply, dot, product_times, subtract, sum, times};
+use super::{Block, Bodies, Column, Node, OfBody, apply, dot, product_times, subtract, sum, times};
 use crate::linalg::VanishedPivot;
 use crate::linalg::joints::{BODIES, Plan};
 use crate::model::SparsityPattern;
 use crate::model::coordinate::N_OF_BODY;
 use std::array::from_fn;
-
-/// Numbers of a body.
-type OfBody<T = f64> = [T; N_OF_BODY];
 
 /// A joint of either path, and what is their own in the factors. Their columns have one block below the diagonal, in the row of the next twin.
 #[derive(Debug)]
@@ -36,8 +33,6 @@ struct Place {
     first_entry: u32,
     layout: u32,
     rows: Rows,
-    /// Whether its first body in G is the second one here.
-    is_turned: bool,
 }
 
 /// Both paths.
@@ -46,8 +41,6 @@ pub(super) struct Paths<const B: usize, const N: usize> {
     twins: Vec<Twin<B, N>>,
     /// The joint behind each path among those that are in none, and the place there of the body that both hold.
     ends: [(usize, usize); 2],
-    /// M^−½ of the bodies, from those before the first twin on.
-    roots: Vec<OfBody<Two>>,
 }
 
 /// All pairs of paths of a plan.
@@ -70,8 +63,8 @@ pub(super) fn paths<F: Form<B, N>, const B: usize, const N: usize>(
             bodies.swap(0, 1);
         }
         let first_entry = pattern.row(joint.first_row).start as u32;
-        let layout = layout::<F, B, N>(joint, pattern, layouts);
-        Place { bodies, first_entry, layout, rows: Rows::new(joint), is_turned }
+        let layout = layout::<F, B, N>(joint, is_turned, pattern, layouts);
+        Place { bodies, first_entry, layout, rows: Rows::new(joint) }
     };
     let mut first = 0;
     let both = paths.iter().map(|&n| {
@@ -87,6 +80,7 @@ pub(super) fn paths<F: Form<B, N>, const B: usize, const N: usize>(
 pub(super) struct Given<'a, const N: usize> {
     pub layouts: &'a [Layout<N>],
     pub jacobian: &'a [f64],
+    pub roots: &'a [OfBody],
     pub damping: Option<&'a [f64]>,
     pub least: f64,
 }
@@ -100,26 +94,19 @@ impl<const N: usize> Given<'_, N> {
         roots: [&OfBody<Two>; BODIES],
     ) -> [[Two; N]; BODIES] {
         let entries = places.each_ref().map(|place| &self.jacobian[place.first_entry as usize..]);
-        if places[0].layout | places[1].layout == 0 {
-            // without a question at each entry
-            let entries = entries.map(|entries| &entries[..BODIES * N]);
-            return match places.each_ref().map(|place| place.is_turned) {
-                [false, false] => usual_slots::<F, B, N>(entries, [0, 0], roots),
-                [false, true] => usual_slots::<F, B, N>(entries, [0, 1], roots),
-                [true, false] => usual_slots::<F, B, N>(entries, [1, 0], roots),
-                [true, true] => usual_slots::<F, B, N>(entries, [1, 1], roots),
-            };
+        // without a question at each entry
+        let usual = |turned| usual_slots::<F, B, N>(entries.map(|entries| &entries[..BODIES * N]), turned, roots);
+        match places.each_ref().map(|place| place.layout) {
+            [0, 0] => return usual([0, 0]),
+            [0, 1] => return usual([0, 1]),
+            [1, 0] => return usual([1, 0]),
+            [1, 1] => return usual([1, 1]),
+            _ => {}
         }
         let of_lane: [[[f64; N]; BODIES]; 2] = from_fn(|lane| {
-            let place = &places[lane];
-            let (mut slots, mut roots) = ([[0.0; N]; BODIES], roots.map(|root| root.map(|root| root.lanes()[lane])));
-            if place.is_turned {
-                roots.swap(0, 1);
-            }
-            F::scale(&self.layouts[place.layout as usize], entries[lane], roots.each_ref(), &mut slots);
-            if place.is_turned {
-                slots.swap(0, 1);
-            }
+            let mut slots = [[0.0; N]; BODIES];
+            let roots = roots.map(|root| root.map(|root| root.lanes()[lane]));
+            F::scale(&self.layouts[places[lane].layout as usize], entries[lane], roots.each_ref(), &mut slots);
             slots
         });
         from_fn(|side| from_fn(|at| Two::new([of_lane[0][side][at], of_lane[1][side][at]])))
@@ -167,18 +154,20 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             y: [zero; B],
             places,
         };
-        Self { twins: places.iter().map(twin).collect(), ends, roots: Vec::new() }
+        Self { twins: places.iter().map(twin).collect(), ends }
     }
 
     pub(super) fn n_joints(&self) -> usize {
         2 * self.twins.len()
     }
 
-    /// Keeps the roots of other masses.
-    pub(super) fn take_roots(&mut self, of_bodies: &[OfBody]) {
-        self.roots.clear();
-        self.roots.extend(self.twins.first().map(|first| gathered(of_bodies, &first.places, 0)));
-        self.roots.extend(self.twins.iter().map(|twin| gathered(of_bodies, &twin.places, 1)));
+    /// Bodies that no other joints hold.
+    pub(super) fn within(&self) -> impl Iterator<Item = usize> {
+        let first = self.twins.first().into_iter().flat_map(|twin| &twin.places);
+        // one that holds a body alone has none before it
+        let before = first.filter(|place| place.bodies[0] != place.bodies[1]).map(|place| place.bodies[0]);
+        let between = self.twins.iter().skip(1).flat_map(|twin| &twin.places).map(|place| place.bodies[0]);
+        before.chain(between).map(|body| body as usize)
     }
 
     /// Eliminates the paths, and hands on what they leave to the joints behind. Returns the smallest pivot.
@@ -226,8 +215,13 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         given: &Given<'_, N>,
         mut judge: impl FnMut(&[Place; 2], &Fraction<B, Two>, Two) -> Result<(), VanishedPivot>,
     ) -> Result<(), VanishedPivot> {
-        for (twin, roots) in self.twins.iter_mut().zip(self.roots.windows(BODIES)) {
-            twin.slots = given.slots::<F, B>(&twin.places, [&roots[0], &roots[1]]);
+        if let Some(first) = self.twins.first() {
+            let mut before = gathered(given.roots, &first.places, 0);
+            for twin in &mut self.twins {
+                let behind = gathered(given.roots, &twin.places, 1);
+                twin.slots = given.slots::<F, B>(&twin.places, [&before, &behind]);
+                before = behind;
+            }
         }
         // what the joints before take from a block of D, of which the triangle below is read
         let mut taken = [[Two::from_f64(0.0); B]; B];
@@ -266,12 +260,21 @@ impl<const B: usize, const N: usize> Paths<B, N> {
     }
 
     /// `L y = Γ x − s`, as far as the joints behind the paths.
-    pub(super) fn forward<F: Form<B, N>>(&mut self, nodes: &mut [Node<B, N>], x: &[OfBody], s: &[f64]) {
+    pub(super) fn forward<F: Form<B, N>, const SCALES: bool>(
+        &mut self,
+        nodes: &mut [Node<B, N>],
+        x: Bodies<'_, SCALES>,
+        s: &[f64],
+    ) {
         let Some(first) = self.twins.first() else { return };
-        let mut before = gathered(x, &first.places, 0);
+        let at = |places: &[Place; 2], side: usize| -> OfBody<Two> {
+            let [of, roots] = [x.of, x.roots].map(|of| gathered(of, places, side));
+            if SCALES { from_fn(|i| of[i] * roots[i]) } else { of }
+        };
+        let mut before = at(&first.places, 0);
         let mut pulled = [Two::from_f64(0.0); B];
         for twin in &mut self.twins {
-            let behind = gathered(x, &twin.places, 1);
+            let behind = at(&twin.places, 1);
             let mut sum = rows::<F, B, N>(&twin.places, s).map(|s| -s);
             F::add(&mut sum, &twin.slots[0], &before);
             F::add(&mut sum, &twin.slots[1], &behind);
@@ -288,30 +291,41 @@ impl<const B: usize, const N: usize> Paths<B, N> {
 
     /// `D Lᵀ y = y` from the joints behind the paths on, then `x −= Γᵀ y`; hands out the rows of each joint, and y there.
     #[inline(always)]
-    pub(super) fn backward<F: Form<B, N>>(
+    pub(super) fn backward<F: Form<B, N>, const BEGINS: bool, const ENDS: bool>(
         &mut self,
         nodes: &[Node<B, N>],
         x: &mut [OfBody],
+        roots: &[OfBody],
         mut found: impl FnMut(Rows, &Column<B>),
     ) {
         let Some(last) = self.twins.last() else { return };
         let [one, other] = self.ends.map(|(node, _)| &nodes[node].y);
         let mut y: Column<B, Two> = from_fn(|r| Two::new([one[r], other[r]]));
         let mut places = last.places;
-        let mut behind = gathered(x, &places, 1);
+        // the bodies behind the paths are scaled with those of the other joints
+        let (mut behind, mut scale) = (gathered(x, &places, 1), [Two::from_f64(1.0); N_OF_BODY]);
         for twin in self.twins.iter_mut().rev() {
             places = twin.places;
             let mut solved = apply(&twin.inverse, &twin.y);
             subtract(&mut solved, &twin.lower.map(|of_row| dot(&of_row, &y)));
             (twin.y, y) = (solved, solved);
-            let mut before = gathered(x, &places, 0);
+            let (mut before, root) = (gathered(x, &places, 0), gathered(roots, &places, 0));
+            if BEGINS {
+                before = from_fn(|i| before[i] * root[i]);
+            }
             F::subtract_transposed(&mut behind, &twin.slots[1], &y);
             F::subtract_transposed(&mut before, &twin.slots[0], &y);
+            if ENDS {
+                behind = from_fn(|i| behind[i] * scale[i]);
+            }
             for (lane, place) in places.iter().enumerate() {
                 x[place.bodies[1] as usize] = behind.map(|x| x.lanes()[lane]);
                 found(place.rows, &y.map(|y| y.lanes()[lane]));
             }
-            behind = before;
+            (behind, scale) = (before, root);
+        }
+        if ENDS {
+            behind = from_fn(|i| behind[i] * scale[i]);
         }
         for (lane, Place { bodies: [before, of_first], .. }) in places.iter().enumerate() {
             // one that holds a body alone has none before it

@@ -20,8 +20,8 @@ pub(in crate::simulate) struct RunSamples<'s> {
     n_kept: usize,
     /// Whether the record keeps the first and the last sample only.
     streamed: bool,
-    /// A state within a step.
-    pub within: Snapshot,
+    /// A state within a step; made when it is first needed.
+    within: Option<Box<Snapshot>>,
 }
 
 impl<'s> RunSamples<'s> {
@@ -39,7 +39,7 @@ impl<'s> RunSamples<'s> {
             start_s: stepper.now.state.t,
             n_kept: 0,
             streamed,
-            within: Snapshot::zero(info, wanted.work),
+            within: None,
         }
     }
 
@@ -59,6 +59,12 @@ impl<'s> RunSamples<'s> {
         self.times.next(self.start_s, self.n_kept)
     }
 
+    /// Room for a state within a step.
+    pub(in crate::simulate) fn within(&mut self) -> &mut Snapshot {
+        let Sampler { info, wanted, .. } = &self.sampler;
+        self.within.get_or_insert_with(|| Box::new(Snapshot::zero(info, wanted.work)))
+    }
+
     /// Keeps what falls between `now` and `next` and before `end`, both evaluated with the inputs of this step.
     pub(in crate::simulate) fn keep_within<P: SceneRef>(
         &mut self,
@@ -66,9 +72,11 @@ impl<'s> RunSamples<'s> {
         end: f64,
     ) -> Result<(), StopReason> {
         while self.is_due_within(stepper) && self.next_time() < end {
-            stepper.between(self.next_time(), &mut self.within)?;
+            let time = self.next_time();
+            stepper.between(time, self.within())?;
             self.count();
-            self.sampler.keep(&mut stepper.system, &self.within)?;
+            let Self { sampler, within, .. } = self;
+            within.as_ref().map_or(Ok(()), |within| sampler.keep(&mut stepper.system, within))?;
         }
         Ok(())
     }

@@ -15,9 +15,7 @@ pub(in crate::simulate) struct Sampler<'s> {
     recorder: Option<&'s mut dyn Recorder>,
     /// Kinetic and potential energy of the first sample, J.
     initial_energy: Option<f64>,
-    /// Refined accelerations.
-    a: Vec<f64>,
-    wanted: Wanted,
+    pub wanted: Wanted,
     /// Empty unless wanted.
     outputs: Vec<f64>,
     /// Empty unless wanted.
@@ -73,7 +71,6 @@ impl<'s> Sampler<'s> {
             record: Record::new(Arc::clone(&info), wanted),
             recorder,
             initial_energy: None,
-            a: vec![0.0; info.n_velocities()],
             wanted,
             outputs: vec![0.0; if wanted.outputs { info.n_outputs() } else { 0 }],
             power: vec![0.0; if wanted.power { info.n_effects() + 1 } else { 0 }],
@@ -101,17 +98,13 @@ impl<'s> Sampler<'s> {
         if self.wanted.outputs {
             system.outputs(*t, q, v, &mut self.outputs);
         }
-        self.a.copy_from_slice(&at.a);
-        // for the sample only: recording must not change the motion. The matrix was regular before; if the correction fails all
-        // the same, the accelerations are good without it
-        let _ = system.at_with(*t, q, Rows::Projected).refine_accelerations(v, &mut self.a);
         let (position_residual, velocity_residual) =
             (system.position_residual(*t, q), system.velocity_residual(*t, q, v));
         let multipliers = self.sliding.multipliers(system, at);
         if let Some((of_potential, of_effects)) = self.power.split_last_mut() {
             system.power(*t, q, v, multipliers, of_effects);
             // vᵀ M a is the power of all of them together
-            let kinetic = system.mass_matrix().iter().zip(v).zip(&self.a).map(|((m, v), a)| m * v * a).sum::<f64>();
+            let kinetic = system.mass_matrix().iter().zip(v).zip(&at.a).map(|((m, v), a)| m * v * a).sum::<f64>();
             *of_potential = kinetic - of_effects.iter().sum::<f64>();
         }
         system.integrated_inputs().write_at(*t, &mut self.inputs);
@@ -121,7 +114,8 @@ impl<'s> Sampler<'s> {
             t: *t,
             coordinates: q,
             velocities: v,
-            accelerations: &self.a,
+            // of the sample only: recording must not change the motion
+            accelerations: system.at_with(*t, q, Rows::Projected).refined_accelerations(v, &at.a),
             multipliers,
             inputs: &self.inputs,
             states: z,

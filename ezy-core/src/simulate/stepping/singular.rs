@@ -36,7 +36,7 @@ impl Approach<'_> {
         &self,
         system: &mut System<P>,
         usual_s: f64,
-        q: &mut [f64],
+        q: &mut Vec<f64>,
     ) -> Option<Range<f64>> {
         if usual_s == 0.0 {
             return None;
@@ -54,7 +54,8 @@ impl Approach<'_> {
     }
 
     /// Times around the smallest pivot on the predicted path, up to `far` from now, s; none where it does not fall.
-    fn dip_ahead<P: SceneRef>(&self, system: &mut System<P>, far: f64, q: &mut [f64]) -> Option<Range<f64>> {
+    fn dip_ahead<P: SceneRef>(&self, system: &mut System<P>, far: f64, q: &mut Vec<f64>) -> Option<Range<f64>> {
+        q.resize(self.now.state.q.len(), 0.0);
         let mut lowest = (None, self.now.end.smallest_pivot);
         for i in 1..=N_AHEAD {
             let s = far * 0.5_f64.powi(N_AHEAD - i);
@@ -176,7 +177,7 @@ mod tests {
         let info = scene.info();
         let ahead = |system: &mut System<&_>, pivots: [f64; 2], usual_s: f64| {
             let (before, now) = (at(&info, 1.0, 0.2, -0.2, pivots[0]), at(&info, 1.5, 0.1, -0.2, pivots[1]));
-            Approach { now: &now, before: &before }.ahead(system, usual_s, &mut [0.0; 3])
+            Approach { now: &now, before: &before }.ahead(system, usual_s, &mut Vec::new())
         };
         let near = ahead(&mut system, [0.04, 0.01], 0.32).unwrap();
         assert!(near.start == 0.0 && (near.end - 0.8).abs() <= 1e-14, "{near:?}");
@@ -189,7 +190,7 @@ mod tests {
     /// From 0.1 rad beside Ω t, and towards it by 1 rad/s, the guide follows the wall after 0.1 s, as the square of the pivot there tells.
     #[test]
     fn analytic_singular_position_is_found_where_the_pivot_vanishes() {
-        let q = &mut [0.0; 3];
+        let q = &mut vec![0.0; 3];
         // sixteen golden sections
         let located = 0.25 * GOLDEN.powi(16);
         for rate in [0.5, 0.0] {

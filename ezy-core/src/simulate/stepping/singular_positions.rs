@@ -27,9 +27,9 @@ pub(in crate::simulate) struct SingularPositions {
 }
 
 impl SingularPositions {
-    /// `crosses`: whether they are crossed by special steps; `n_q` is the number of coordinates.
-    pub(super) fn new(crosses: bool, n_q: usize) -> Self {
-        Self { crosses, crossing: None, foreseen: vec![0.0; n_q], crossed: None, n_shortened: 0, usual_s: 0.0 }
+    /// `crosses`: whether they are crossed by special steps.
+    pub(super) fn new(crosses: bool) -> Self {
+        Self { crosses, crossing: None, foreseen: Vec::new(), crossed: None, n_shortened: 0, usual_s: 0.0 }
     }
 
     /// Writes what the next steps depend on, or reads it. `tolerance` and `work` are those of the run.

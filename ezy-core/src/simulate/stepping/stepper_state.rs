@@ -42,7 +42,7 @@ impl<P: SceneRef> StepperState<P> {
         let method = StepMethod::new(&system, method, now.power.len())?;
         let projection = StateProjection::new(projection, metric);
         let crosses = projection.is_complete() && info.n_position_rows > 0;
-        let singular_positions = SingularPositions::new(crosses, info.n_coordinates());
+        let singular_positions = SingularPositions::new(crosses);
         Ok(Self {
             system,
             method,

@@ -58,7 +58,7 @@ fn invariant_friction_takes_what_the_chain_loses() {
 fn invariant_factors_of_the_chain_grow_with_its_length() {
     let entries = |n: usize| {
         let info = chain::Swing { n, ..Default::default() }.info();
-        SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows()).unwrap().n_factor_entries()
+        SparseKkt::new(&vec![1.0; info.n_coordinates()], &info.jacobian, info.n_rows()).unwrap().n_factor_entries()
     };
     let per_rod = [10, 100, 1_000, 10_000].map(|n| entries(n) as f64 / n as f64);
     assert!(per_rod.iter().all(|entries| *entries <= 18.0), "{per_rod:?}");
@@ -100,7 +100,7 @@ fn invariant_net_keeps_its_energy_and_its_threads() {
 fn invariant_factors_of_the_net_grow_little_faster_than_the_net() {
     let entries = |side: usize| {
         let info = hanging_net::Swing { rows: side, columns: side, ..Default::default() }.info();
-        let kkt = SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows()).unwrap();
+        let kkt = SparseKkt::new(&vec![1.0; info.n_coordinates()], &info.jacobian, info.n_rows()).unwrap();
         kkt.n_factor_entries() as f64 / (side * side) as f64
     };
     let per_knot = [10, 20, 40, 80].map(entries);

@@ -96,6 +96,12 @@ pub(crate) mod crossing {
     /// Test: `analytic_three_level_cranks_by_rk4_are_a_pendulum`.
     pub(crate) const OF_FIXED_STEPS: f64 = 1e-9;
 
+    /// Smallest tolerance of crossing steps. What rounding makes of the forces at a distance of some thousandths, 1e-16 over its cube, is more than smaller ones:
+    /// steps that are to keep them come nearer, where rounding is more, until none passes.
+    /// Unit: 1, m or m/s.
+    /// Test: `cross_change_points_are_passed_by_the_smallest_tolerance`.
+    pub(crate) const LEAST_TOLERANCE: f64 = 1e-12;
+
     /// A step across a singular position is not made shorter than this part of the usual step: a shorter one would end in the noise next to
     /// the position. At this length an error up to [`NOISE`] is accepted.
     /// Unit: share of the usual step.

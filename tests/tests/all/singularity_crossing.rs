@@ -212,6 +212,25 @@ fn cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch() {
     }
 }
 
+/// Of 10 sizes, which rounding tells apart.
+#[test]
+fn cross_change_points_are_passed_by_the_smallest_tolerance() {
+    let [.., third, _] = change_points();
+    for i in 0..10 {
+        let size = 1.0 + 1e-3 * f64::from(i);
+        let of = |length: f64| size * length;
+        let four_bar::Turning { base, l1, l2, l3, .. } = third;
+        let scene = four_bar::Turning { base: of(base), l1: of(l1), l2: of(l2), l3: of(l3), ..Default::default() };
+        let run = |tolerance| simulation(&scene).method(Method::dop853(tolerance)).until(4.0).run().unwrap();
+        let (least, larger) = (run(1e-14), run(1e-13));
+        assert!(least.outcome.reached_end(), "{size}: {}", least.outcome);
+        let both = larger.last().coordinates.iter().zip(least.last().coordinates);
+        let off = both.fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+        // each of them is off by what rounding leaves
+        assert!(off <= 2.0 * UNEQUAL, "{size}: {off:.1e}");
+    }
+}
+
 #[test]
 fn invariant_samples_on_the_way_over_a_level_position_keep_to_rows_and_energy() {
     let scene = four_bar::Turning::default();

@@ -7,7 +7,9 @@ use crate::archive::Archive;
 use crate::dynamics::{Metric, MotionError, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, StepControl, Tolerance};
 use crate::model::SceneRef;
-use crate::simulate::tolerances::crossing::{ABOUT, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST};
+use crate::simulate::tolerances::crossing::{
+    ABOUT, LEAST_TOLERANCE, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST,
+};
 use crate::simulate::tolerances::monitors::BESIDE;
 use std::ops::Range;
 
@@ -60,6 +62,8 @@ impl SingularityCrossing {
     pub(in crate::simulate) fn new<P: SceneRef>(system: &System<P>, tolerance: Option<Tolerance>, work: bool) -> Self {
         let end = Snapshot::zero(system.info(), work);
         let wanted = tolerance.unwrap_or(Tolerance::new(OF_FIXED_STEPS, OF_FIXED_STEPS));
+        let [relative, absolute] = [wanted.relative, wanted.absolute].map(|wanted| wanted.max(LEAST_TOLERANCE));
+        let wanted = Tolerance { relative, absolute, ..wanted };
         Self {
             stages: ProjectedStages::new(system, end.power.len(), wanted),
             control: StepControl::new(DOP853_ERROR_ORDER),

@@ -84,6 +84,17 @@ pub trait Scalar:
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
+    /// Sine and cosine of up to four angles. Those of `f64` are computed together, as by [`Self::sin_cos_of_each`].
+    #[must_use]
+    #[inline(always)]
+    fn sin_cos_of<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        let mut found = [(angles[0], angles[0]); N];
+        for i in 0..N {
+            found[i] = angles[i].sin_cos();
+        }
+        found
+    }
+
     /// Writes [sin, cos] of each number. Those of `f64` are computed in lanes, and differ from [`Self::sin_cos`] by up to two units in the last place.
     #[inline(always)]
     fn sin_cos_of_each(x: &[Self], out: &mut [[Self; 2]]) {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Lanes, Scalar};
+use super::{Lanes, Scalar, in_widest};
 
 /// Methods of [`Scalar`] that are those of `f64` by the same names.
 macro_rules! as_in_std {
@@ -34,6 +34,18 @@ impl Scalar for f64 {
         max(other) -> Self;
         powf(exponent) -> Self;
         is_finite() -> bool;
+    }
+
+    #[inline(always)]
+    fn sin_cos_of<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        let mut four = [0.0; 4];
+        four[..N].copy_from_slice(&angles);
+        let [sin, cos] = of_four(&four);
+        let mut found = [(0.0, 0.0); N];
+        for i in 0..N {
+            found[i] = (sin[i], cos[i]);
+        }
+        found
     }
 
     #[inline(always)]
@@ -77,6 +89,18 @@ impl Scalar for f64 {
     }
 }
 
+/// Compiled here, and not with the kernels that ask for it: these are not optimised in a development build.
+#[inline(never)]
+fn of_four(angles: &[f64; 4]) -> [[f64; 4]; 2] {
+    in_widest(
+        #[inline(always)]
+        || {
+            let (Lanes(sin), Lanes(cos)) = Lanes(*angles).sin_cos();
+            [sin, cos]
+        },
+    )
+}
+
 /// Magnitudes that are written without an exponent: zeros of others say less than they take.
 const PLAIN: Range<f64> = 1e-6..1e15;
 
@@ -100,6 +124,27 @@ pub fn legible_time(t: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// As by the lanes, whose polynomials are compared with other digits there; beyond 1e6 rad those of the C library.
+    #[test]
+    fn cross_sines_of_several_angles_are_those_of_lanes() {
+        let mut numbers = crate::scalar::random::SplitMix64(3);
+        let mut angle = |size: f64| size * numbers.symmetric();
+        for _ in 0..1_000 {
+            let [a, b, c] = [1.0, 10.0, 1e5].map(&mut angle);
+            let large = 1e9 + angle(1e8);
+            let mut each = [[0.0; 2]; 3];
+            f64::sin_cos_of_each(&[a, b, c], &mut each);
+            let expected = each.map(|[sin, cos]| (sin, cos));
+            assert_eq!(f64::sin_cos_of([a, b, c]), expected);
+            assert_eq!(f64::sin_cos_of([a, b])[..], expected[..2]);
+            for ((sin, cos), angle) in expected.into_iter().zip([a, b, c]) {
+                let (of_library, other) = angle.sin_cos();
+                assert!((sin - of_library).abs().max((cos - other).abs()) <= 2.0 * f64::EPSILON, "{angle}");
+            }
+            assert_eq!(f64::sin_cos_of([a, large]), [a.sin_cos(), large.sin_cos()]);
+        }
+    }
 
     #[test]
     fn analytic_numbers_have_an_exponent_where_they_are_very_small() {

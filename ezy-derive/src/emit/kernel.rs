@@ -83,7 +83,8 @@ pub fn body(
     let writing = if is_long { Writing::new(numbers, program, &live, true) } else { in_one };
     let parts = is_long.then(|| Parts::new(program, &live, &writing));
     let (names, taken, passed) = (BTreeMap::new(), BTreeSet::new(), BTreeMap::new());
-    let mut writer = Writer { numbers, program, vocabulary, sources, live, writing, names, taken, passed };
+    let scope = live.clone();
+    let mut writer = Writer { numbers, program, vocabulary, sources, live, scope, writing, names, taken, passed };
     let statements = match parts {
         None => writer.in_one(),
         Some(parts) => writer.in_parts(&parts),
@@ -106,6 +107,8 @@ struct Writer<'a> {
     vocabulary: Vocabulary<'a>,
     sources: Sources<'a>,
     live: Vec<NodeId>,
+    /// What is computed in the function or closure at hand.
+    scope: Vec<NodeId>,
     writing: Writing,
     names: BTreeMap<NodeId, Ident>,
     taken: BTreeSet<String>,
@@ -129,6 +132,7 @@ impl Writer<'_> {
         for part in &parts.0 {
             self.names.clear();
             self.taken.clear();
+            self.scope.clone_from(&part.computed);
             let mut inside = TokenStream::new();
             for &id in part.inputs.iter().chain(&part.computed) {
                 inside.extend(self.statement(id));
@@ -152,7 +156,7 @@ impl Writer<'_> {
     fn statement(&mut self, id: NodeId) -> TokenStream {
         work::count(1);
         let value = match self.program.node(id) {
-            _ if !self.writing.is_statement(id) => return TokenStream::new(),
+            _ if !self.writing.is_statement(id) || self.names.contains_key(&id) => return TokenStream::new(),
             Node::Constant(i) => {
                 let place = self.vocabulary.constants.place(*i);
                 quote!(c[#place])
@@ -198,14 +202,77 @@ impl Writer<'_> {
         self.known_sines(id).is_some() && !self.live.iter().any(|&user| reads(self.program.node(user))) && !is_output()
     }
 
-    /// One call for a sine and cosine of the same angle.
+    /// Angles of other sines and cosines to come that depend on nothing that is not known here.
+    fn partners(&self, angle: NodeId) -> Vec<NodeId> {
+        let to_come = self.scope.iter().filter(|&id| !self.names.contains_key(id));
+        let mut angles = vec![angle];
+        for &id in to_come {
+            if let Node::Sin(other) | Node::Cos(other) = *self.program.node(id)
+                && angles.len() < ANGLES_AT_ONCE
+                && !angles.contains(&other)
+                && self.known_sines(other).is_none()
+                && self.is_at_hand(other)
+            {
+                angles.push(other);
+            }
+        }
+        angles
+    }
+
+    /// Whether it is known here, or follows from what is read by sums and products.
+    fn is_at_hand(&self, id: NodeId) -> bool {
+        match self.program.node(id) {
+            _ if self.names.contains_key(&id) => true,
+            Node::Input(_) | Node::Constant(_) | Node::Literal(_) => true,
+            node @ (Node::Add(..) | Node::Sub(..) | Node::Mul(..) | Node::Neg(_)) => {
+                node.operands().iter().all(|&operand| self.is_at_hand(operand))
+            }
+            _ => false,
+        }
+    }
+
+    /// What an angle at hand follows from, and the angle.
+    fn statements_of(&mut self, id: NodeId) -> TokenStream {
+        let mut statements = TokenStream::new();
+        if !self.names.contains_key(&id) {
+            for operand in self.program.node(id).operands() {
+                statements.extend(self.statements_of(operand));
+            }
+            statements.extend(self.statement(id));
+        }
+        statements
+    }
+
+    /// Names for sine and cosine of an angle, as far as they are needed.
+    fn both(&mut self, angle: NodeId) -> TokenStream {
+        let label = self.angle_label(angle);
+        let [sin, cos] =
+            [(Node::Sin(angle), "sin"), (Node::Cos(angle), "cos")].map(|(node, function)| match self.find(&node) {
+                Some(node) => self.declare(node, format!("{function}_{label}")).into_token_stream(),
+                None => quote!(_),
+            });
+        quote!((#sin, #cos))
+    }
+
+    fn angle_label(&self, angle: NodeId) -> String {
+        self.label(angle).filter(|label| label.len() < LONGEST_NAME).unwrap_or_else(|| angle.0.to_string())
+    }
+
+    /// One call for a sine and cosine of the same angle, and of others.
     fn trigonometry(&mut self, id: NodeId, angle: NodeId) -> TokenStream {
-        if self.names.contains_key(&id) {
-            return TokenStream::new();
+        let angles = match (self.numbers, self.known_sines(angle)) {
+            (Numbers::Any, None) => self.partners(angle),
+            _ => Vec::new(),
+        };
+        if angles.len() > 1 {
+            let read: TokenStream = angles.iter().map(|&angle| self.statements_of(angle)).collect();
+            let arguments: Vec<_> = angles.iter().map(|&angle| self.operand(angle).into_token_stream()).collect();
+            let both: Vec<TokenStream> = angles.iter().map(|&angle| self.both(angle)).collect();
+            return quote!(#read let [#(#both),*] = T::sin_cos_of([#(#arguments),*]););
         }
         let (sin, cos) = (self.find(&Node::Sin(angle)), self.find(&Node::Cos(angle)));
         let (number, argument) = (self.numbers.name(), self.operand(angle));
-        let label = self.label(angle).filter(|label| label.len() < LONGEST_NAME).unwrap_or_else(|| angle.0.to_string());
+        let label = self.angle_label(angle);
         if let Some(known) = self.known_sines(angle) {
             let mut name = |node: Option<NodeId>, function| match node {
                 Some(node) => self.declare(node, format!("{function}_{label}")).into_token_stream(),
@@ -338,6 +405,9 @@ impl Writer<'_> {
         (quote!(#a #operator #b), binding)
     }
 }
+
+/// Angles whose sines are computed by one call.
+const ANGLES_AT_ONCE: usize = 4;
 
 /// Names of operations are shorter; longer ones give way to a number.
 const LONGEST_NAME: usize = 28;

@@ -79,9 +79,9 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
                 3 * (first_link + at_i) as usize,
             ];
             let link_i_1_phi = q[slots[0] + 2];
-            let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
             let link_i_phi = q[slots[1] + 2];
-            let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
+            let [(sin_link_i_1_phi, cos_link_i_1_phi), (sin_link_i_phi, cos_link_i_phi),
+            ] = T::sin_cos_of([link_i_1_phi, link_i_phi]);
             let l_over_two = c[2usize];
             let link_i_1_omega = v[slots[0] + 2];
             let link_i_1_omega_squared = link_i_1_omega * link_i_1_omega;

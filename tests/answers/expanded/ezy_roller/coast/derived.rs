@@ -20,13 +20,15 @@ impl ezy::Derived for Coast {
         let seat_omega = v[2usize];
         let b_seat_omega = b * seat_omega;
         let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let bar_phi = q[5usize];
+        let [(sin_seat_phi, cos_seat_phi), (sin_bar_phi, cos_bar_phi)] = T::sin_cos_of([
+            seat_phi,
+            bar_phi,
+        ]);
         let bar_vx = v[3usize];
         let d = c[5usize];
         let bar_omega = v[5usize];
         let d_bar_omega = d * bar_omega;
-        let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
         let difference_18 = T::fused(
             -d_bar_omega,
             sin_bar_phi,

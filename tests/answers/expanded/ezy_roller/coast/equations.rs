@@ -166,11 +166,13 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         let seat_x = q[0usize];
         let b = c[4usize];
         let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let bar_phi = q[5usize];
+        let [(sin_seat_phi, cos_seat_phi), (sin_bar_phi, cos_bar_phi)] = T::sin_cos_of([
+            seat_phi,
+            bar_phi,
+        ]);
         let bar_x = q[3usize];
         let d = c[5usize];
-        let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
         let seat_y = q[1usize];
         let bar_y = q[4usize];
         out[0usize] = T::fused(
@@ -194,13 +196,15 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         let seat_omega = v[2usize];
         let b_seat_omega = b * seat_omega;
         let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let bar_phi = q[5usize];
+        let [(sin_seat_phi, cos_seat_phi), (sin_bar_phi, cos_bar_phi)] = T::sin_cos_of([
+            seat_phi,
+            bar_phi,
+        ]);
         let bar_vx = v[3usize];
         let d = c[5usize];
         let bar_omega = v[5usize];
         let d_bar_omega = d * bar_omega;
-        let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
         let seat_vy = v[1usize];
         let bar_vy = v[4usize];
         let parameter_a = c[21usize];
@@ -232,10 +236,12 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         let out = ezy::array_mut::<14usize, T>(out);
         let b = c[4usize];
         let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let d = c[5usize];
         let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let [(sin_seat_phi, cos_seat_phi), (sin_bar_phi, cos_bar_phi)] = T::sin_cos_of([
+            seat_phi,
+            bar_phi,
+        ]);
+        let d = c[5usize];
         let parameter_a = c[21usize];
         let parameter_c = c[22usize];
         out[0usize] = T::from_f64(1f64);
@@ -262,12 +268,14 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         let seat_omega = v[2usize];
         let seat_omega_b_seat_omega = seat_omega * (b * seat_omega);
         let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let bar_phi = q[5usize];
+        let [(sin_seat_phi, cos_seat_phi), (sin_bar_phi, cos_bar_phi)] = T::sin_cos_of([
+            seat_phi,
+            bar_phi,
+        ]);
         let d = c[5usize];
         let bar_omega = v[5usize];
         let bar_omega_d_bar_omega = bar_omega * (d * bar_omega);
-        let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
         let seat_vx = v[0usize];
         let seat_vy = v[1usize];
         let product_27 = seat_omega
@@ -323,7 +331,11 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         let lambda = ezy::array_mut::<4usize, T>(lambda);
         let seat_vx = v[0usize];
         let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let bar_phi = q[5usize];
+        let [(sin_seat_phi, cos_seat_phi), (sin_bar_phi, cos_bar_phi)] = T::sin_cos_of([
+            seat_phi,
+            bar_phi,
+        ]);
         let seat_vy = v[1usize];
         let seat_omega = v[2usize];
         let minus_right_side_rear = T::fused(
@@ -332,8 +344,6 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
             seat_vx * cos_seat_phi,
         ) * seat_omega;
         let bar_vx = v[3usize];
-        let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
         let bar_vy = v[4usize];
         let bar_omega = v[5usize];
         let minus_right_side_front = T::fused(bar_vy, sin_bar_phi, bar_vx * cos_bar_phi)
@@ -448,10 +458,12 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         let right_side_front = residual[3usize];
         let k42 = c[0usize];
         let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let k47 = c[1usize];
         let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let [(sin_seat_phi, cos_seat_phi), (sin_bar_phi, cos_bar_phi)] = T::sin_cos_of([
+            seat_phi,
+            bar_phi,
+        ]);
+        let k47 = c[1usize];
         let sum_14 = T::fused(
             cos_bar_phi,
             k47 * cos_bar_phi,

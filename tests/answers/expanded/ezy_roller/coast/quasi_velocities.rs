@@ -25,8 +25,10 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
         let v = ezy::array_mut::<6usize, T>(v);
         let seat_phi = q[2usize];
         let bar_phi = q[5usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let [(sin_seat_phi, cos_seat_phi), (sin_bar_phi, cos_bar_phi)] = T::sin_cos_of([
+            seat_phi,
+            bar_phi,
+        ]);
         let difference_10 = T::fused(
             -sin_seat_phi,
             cos_bar_phi,

@@ -15,10 +15,12 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         let v = ezy::row::<6usize, T>(&store.q, 1);
         let b = c[4usize];
         let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let d = c[5usize];
         let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let [(sin_seat_phi, cos_seat_phi), (sin_bar_phi, cos_bar_phi)] = T::sin_cos_of([
+            seat_phi,
+            bar_phi,
+        ]);
+        let d = c[5usize];
         let seat_omega = v[2usize];
         let seat_omega_b_seat_omega = seat_omega * (b * seat_omega);
         let bar_omega = v[5usize];

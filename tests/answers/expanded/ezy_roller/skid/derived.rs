@@ -21,12 +21,13 @@ impl ezy::Derived for Skid {
         let bar_omega = v[5usize];
         let d_bar_omega = d * bar_omega;
         let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let seat_phi = q[2usize];
+        let omega = c[1usize];
+        let [(sin_bar_phi, cos_bar_phi), (sin_seat_phi, cos_seat_phi), (_, cos_omega_t),
+        ] = T::sin_cos_of([bar_phi, seat_phi, omega * t]);
         let b = c[16usize];
         let seat_omega = v[2usize];
         let b_seat_omega = b * seat_omega;
-        let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let difference_18 = T::fused(
             -b_seat_omega,
             sin_seat_phi,
@@ -148,8 +149,6 @@ impl ezy::Derived for Skid {
         let projected_bar_omega = bar_omega
             - T::fused(projection_lambda_front, c_over_i2, difference_91 * d_over_i2);
         let m0 = c[0usize];
-        let omega = c[1usize];
-        let cos_omega_t = T::cos(omega * t);
         let hold_rear_on_ice_side_a = c[2usize];
         let force_seat_phi = T::fused(m0, cos_omega_t, hold_rear_on_ice_side_a);
         let product_144 = projected_bar_omega

@@ -38,6 +38,7 @@ impl Scalar for f64 {
 
     #[inline(always)]
     fn sin_cos_of<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        const { assert!(N <= 4, "up to four angles") };
         let mut four = [0.0; 4];
         four[..N].copy_from_slice(&angles);
         let [sin, cos] = of_four(&four);

@@ -61,3 +61,44 @@ pub fn repeat(scene: &dyn Scene, column: usize, n: u64) -> Result<bool, Box<dyn 
     }
     Ok(true)
 }
+
+/// Step of RK4 of scenes with counts, s.
+const SHORT_STEP_S: f64 = 1e-6;
+/// By how much an angle differs from that of the last evaluation, rad.
+const TURN_RAD: f64 = 1e-9;
+
+/// What is counted of scenes with counts: columns of a table of their own.
+pub const OF_COUNTS: [&str; 3] = ["set-up and a step", "right side", "step of RK4"];
+
+/// Does what column `i` of [`OF_COUNTS`] counts `n` times. But for the set-up, angles differ from member to member: small pivots of straight chains
+/// cost more.
+///
+/// # Errors
+/// Those of the runs and evaluations.
+pub fn repeat_with_counts(scene: &dyn Scene, column: usize, n: u64) -> Result<(), Box<dyn Error>> {
+    let order = |n_steps: u64| simulation(scene).method(Method::rk4(SHORT_STEP_S)).until(SHORT_STEP_S * n_steps as f64);
+    if column == 0 {
+        for _ in 0..n {
+            order(1).run()?;
+        }
+        return Ok(());
+    }
+    let info = scene.info();
+    let angles = info.coordinates.iter().filter(|coordinate| coordinate.is_angle()).enumerate();
+    let bent = |n_steps: u64| {
+        angles.clone().fold(order(n_steps), |order, (i, angle)| order.start(&*angle.name, 0.3 * (0.7 * i as f64).sin()))
+    };
+    if column == 2 {
+        bent(n).run()?;
+        return Ok(());
+    }
+    let start = bent(1).run()?;
+    let (mut q, v) = (start.last().coordinates.to_vec(), start.last().velocities.to_vec());
+    let (mut a, mut lambda) = (vec![0.0; v.len()], vec![0.0; info.n_rows()]);
+    let mut system = system_of(scene, Backend::Auto)?;
+    for _ in 0..n {
+        q[2] += TURN_RAD;
+        black_box(system.accelerations(0.0, &q, &v, &mut a, &mut lambda)?);
+    }
+    Ok(())
+}

@@ -1,12 +1,12 @@
-//! Machine instructions of scenes: of a right side, of a step of RK4, of steps of Taylor's method and of a part of a motion by collocation.
+//! Machine instructions of scenes: of a right side, of a step of RK4, of steps of Taylor's method and of a part of a motion by collocation; of chains, for each rod.
 //!
 //! Something is done n times and 2n times, and the difference counts, so that start and end of a program cancel.
 
 use clap::Args;
 use ezy_core::model::{ModelInfo, Scene};
 use ezy_core_tests::plain_rollers::{coasting, drifting, pumped};
-use ezy_core_tests::repeated::{COLUMNS, repeat};
-use ezy_models::{double_pendulum, ezy_roller, slider_crank};
+use ezy_core_tests::repeated::{COLUMNS, OF_COUNTS, repeat, repeat_with_counts};
+use ezy_models::{chain, double_pendulum, ezy_roller, slider_crank};
 use ezy_tests::count_table::{CountTable, instructions, is_installed, surroundings};
 use ezy_tests::page::{docs, part, write_part};
 use std::error::Error;
@@ -28,6 +28,12 @@ const SCENES: [(&ModelInfo, &str, &str); 9] = [
     (&double_pendulum::MODEL, "swing", "DoublePendulum"),
     (&slider_crank::MODEL, "pushed", "SliderCrank"),
 ];
+
+/// Rods of the chains that are counted.
+const CHAINS: [usize; 2] = [1_000, 10_000];
+
+/// Rods in all that each is done for.
+const RODS: usize = 20_000;
 
 /// Makes the scene.
 fn made(model: &ModelInfo, scene: &str) -> Result<Box<dyn Scene>, Box<dyn Error>> {
@@ -59,6 +65,22 @@ pub(crate) fn repeat_scene(counted: &Counted) -> Outcome {
     repeat(&*made(model, scene)?, counted.column, counted.n).map(|_| ())
 }
 
+pub(crate) fn repeat_chain(counted: &Counted) -> Outcome {
+    repeat_with_counts(&*chain_of(counted.scene)?, counted.column, counted.n)
+}
+
+/// A chain of 1 m and 1 kg.
+fn chain_of(n: usize) -> Result<Box<dyn Scene>, Box<dyn Error>> {
+    let mut scene = made(&chain::MODEL, "swing")?;
+    scene.set_count(0, n);
+    for (i, parameter) in scene.info().parameters.iter().enumerate() {
+        if ["l", "m"].contains(&parameter.name) {
+            scene.set_parameter(i, 1.0 / n as f64);
+        }
+    }
+    Ok(scene)
+}
+
 pub(crate) fn run(asked: &Asked) -> Outcome {
     if !is_installed() {
         println!("valgrind is not installed; instructions are not counted");
@@ -69,24 +91,37 @@ pub(crate) fn run(asked: &Asked) -> Outcome {
         let made = made(model, scene)?;
         let mut counts = Vec::new();
         for column in 0..COLUMNS.len() {
-            counts.push(if repeat(&*made, column, 1)? { Some(count(i, column)?) } else { None });
+            counts.push(if repeat(&*made, column, 1)? { Some(count("count-scene", i, column, N)? / N) } else { None });
         }
         table.push(&format!("`{scene}`, {called}"), counts);
     }
+    settle(asked, "instructions", &table)?;
+    let mut chains = CountTable::new(surroundings(), &OF_COUNTS);
+    for n in CHAINS {
+        let times = (RODS / n) as u64;
+        let of = |column| Ok(Some(count("count-chain", n, column, times)? / RODS as u64));
+        let counts: Result<_, Box<dyn Error>> = (0..OF_COUNTS.len()).map(of).collect();
+        chains.push(&format!("`chain/swing`, {n} rods"), counts?);
+    }
+    settle(asked, "chains", &chains)
+}
+
+/// Writes a table into the page, or compares it with the one there, as asked.
+fn settle(asked: &Asked, name: &str, table: &CountTable) -> Outcome {
     print!("{table}");
     if asked.write {
-        write_part("cost.md", "instructions", &table.to_string())?;
+        write_part("cost.md", name, &table.to_string())?;
     }
     if asked.check {
         let page = std::fs::read_to_string(docs("cost.md"))?;
-        let recorded = part(&page, "instructions").and_then(CountTable::read);
-        println!("{}", table.compare(&recorded.ok_or("docs/cost.md has no table of instructions")?)?);
+        let recorded = part(&page, name).and_then(CountTable::read);
+        println!("{}", table.compare(&recorded.ok_or_else(|| format!("docs/cost.md has no table of {name}"))?)?);
     }
     Ok(())
 }
 
-/// Instructions of what a column counts.
-fn count(scene: usize, column: usize) -> Result<u64, Box<dyn Error>> {
-    let of = |n: u64| instructions(&["count-scene".to_owned(), scene.to_string(), column.to_string(), n.to_string()]);
-    Ok((of(2 * N)?.saturating_sub(of(N)?)) / N)
+/// Instructions of doing what a column counts `times` times.
+fn count(command: &str, scene: usize, column: usize, times: u64) -> Result<u64, Box<dyn Error>> {
+    let of = |n: u64| instructions(&[command.to_owned(), scene.to_string(), column.to_string(), n.to_string()]);
+    Ok(of(2 * times)?.saturating_sub(of(times)?))
 }

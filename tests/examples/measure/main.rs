@@ -42,6 +42,8 @@ enum Asked {
     #[command(hide = true)]
     CountScene(instructions::Counted),
     #[command(hide = true)]
+    CountChain(instructions::Counted),
+    #[command(hide = true)]
     CountRun(long_runs::Counted),
 }
 
@@ -88,6 +90,7 @@ fn main() -> ExitCode {
         Asked::RandomMethods(random) => methods::random(&random),
         Asked::RandomEstimates(random) => estimates::random(&random),
         Asked::CountScene(counted) => instructions::repeat_scene(&counted),
+        Asked::CountChain(counted) => instructions::repeat_chain(&counted),
         Asked::CountRun(counted) => long_runs::repeat(&counted),
     };
     match outcome {

@@ -229,7 +229,7 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
             }
             found(joint.rows, &solved);
         }
-        paths.iter_mut().for_each(|paths| paths.backward::<F, BEGINS, ENDS>(nodes, x, roots, &mut found));
+        paths.iter().for_each(|paths| paths.backward::<F, BEGINS, ENDS>(nodes, x, roots, &mut found));
     }
 
     /// Takes from x what leaves s of its rows, by `M^−½ Γᵀ y` with `A y = G x − s`: with x = M⁻¹ r it gives the solution; once more, with y = 0, it

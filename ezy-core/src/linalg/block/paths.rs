@@ -20,7 +20,7 @@ struct Twin<const B: usize, const N: usize> {
     inverse: Block<B, Two>,
     /// Of L.
     lower: Block<B, Two>,
-    /// y of the right side and of the solution.
+    /// y of the right side.
     y: Column<B, Two>,
     places: [Place; 2],
 }
@@ -292,7 +292,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
     /// `D Lᵀ y = y` from the joints behind the paths on, then `x −= Γᵀ y`; hands out the rows of each joint, and y there.
     #[inline(always)]
     pub(super) fn backward<F: Form<B, N>, const BEGINS: bool, const ENDS: bool>(
-        &mut self,
+        &self,
         nodes: &[Node<B, N>],
         x: &mut [OfBody],
         roots: &[OfBody],
@@ -304,11 +304,11 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         let mut places = last.places;
         // the bodies behind the paths are scaled with those of the other joints
         let (mut behind, mut scale) = (gathered(x, &places, 1), [Two::from_f64(1.0); N_OF_BODY]);
-        for twin in self.twins.iter_mut().rev() {
+        for twin in self.twins.iter().rev() {
             places = twin.places;
             let mut solved = apply(&twin.inverse, &twin.y);
             subtract(&mut solved, &twin.lower.map(|of_row| dot(&of_row, &y)));
-            (twin.y, y) = (solved, solved);
+            y = solved;
             let (mut before, root) = (gathered(x, &places, 0), gathered(roots, &places, 0));
             if BEGINS {
                 before = from_fn(|i| before[i] * root[i]);

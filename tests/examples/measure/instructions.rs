@@ -55,6 +55,7 @@ pub(crate) struct Asked {
 /// What a program under valgrind repeats.
 #[derive(Debug, Args)]
 pub(crate) struct Counted {
+    /// Its place in the table; of a chain the number of its rods
     scene: usize,
     column: usize,
     n: u64,

@@ -28,6 +28,20 @@ impl<const L: usize> Lanes<L> {
         self.zip(self, |x, _| f(x))
     }
 
+    /// One number of all lanes, by that of two: by halves, so that lanes are compared together.
+    #[inline(always)]
+    fn of_all(self, of_two: impl Fn(f64, f64) -> f64) -> f64 {
+        let (mut x, mut n) = (self.0, L);
+        while n > 1 {
+            let half = n.div_ceil(2);
+            for i in 0..n - half {
+                x[i] = of_two(x[i], x[half + i]);
+            }
+            n = half;
+        }
+        x[0]
+    }
+
     /// Eight lanes are written out: a kernel has hundreds of operations, and as many loops take an eighth longer to compile.
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
@@ -121,23 +135,14 @@ impl<const L: usize> Scalar for Lanes<L> {
 
     #[inline(always)]
     fn least_ratio(self, divisor: Self) -> f64 {
-        let mut least = (self / divisor).0;
-        // by halves, so that lanes are compared together; what is no number stays
-        let mut n = L;
-        while n > 1 {
-            let half = n.div_ceil(2);
-            for i in 0..n - half {
-                let [x, y] = [least[i], least[half + i]];
-                least[i] = if (x < y) | x.is_nan() { x } else { y };
-            }
-            n = half;
-        }
-        least[0]
+        // what is no number stays
+        (self / divisor).of_all(|x, y| if (x < y) | x.is_nan() { x } else { y })
     }
 
     #[inline(always)]
     fn magnitude(self) -> f64 {
-        self.0.iter().fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m })
+        // what is no number stays
+        self.abs().of_all(|x, y| if (x > y) | x.is_nan() { x } else { y })
     }
 
     #[inline(always)]

@@ -217,7 +217,7 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
 
     fn refuses(&mut self, from: Node<'_>, to: Node<'_>) -> bool {
         let (t, h) = (from.state.t, to.state.t - from.state.t);
-        let error = self.method.error_by_end(from.a, to.a);
+        let error = self.method.error_by_end(to.a);
         if error <= 1.0 || self.is_cut {
             return false;
         }

@@ -17,20 +17,32 @@ pub(crate) struct GaussControl {
     has_failed: bool,
     /// Steepness of the last accepted step over its length, 1/s.
     last_rate: f64,
+    /// The length that the last accepted step should have had by its error, s; none after a start, or where it had no error.
+    last_length_s: Option<f64>,
 }
 
 impl GaussControl {
     /// Factor for the step after one of the length `h` with this error over the tolerance and this steepness of the equations; it is accepted where the error is
     /// at most one. A step whose sweeps have little to do says less of how steep the equations are than the one before, so the larger of both counts.
+    ///
+    /// Errors of neighbouring steps differ by chance. So the next length is the geometric mean of the present one and of those that the last two errors ask for;
+    /// behind a start, and a step that failed, it is the one that the last error asks for.
+    ///
+    /// # Source
+    /// H211b with b = 4: Söderlind, Digital filters in adaptive time-stepping, ACM Transactions on Mathematical Software 29 (2003).
     pub(crate) fn factor(&mut self, h: f64, error: f64, steepness: f64) -> f64 {
         let rate = steepness / h;
         let steepness = h * rate.max(self.last_rate);
-        if error <= 1.0 {
-            self.last_rate = rate;
-        }
         let most = if self.has_failed { 1.0 } else { GROW };
+        let mut by_error = (AIM / error).powf(1.0 / ERROR_ORDER);
+        if error <= 1.0 {
+            let length = h * by_error;
+            if let Some(last) = self.last_length_s.filter(|_| !self.has_failed) {
+                by_error = ((length * last).sqrt() / h).sqrt();
+            }
+            (self.last_rate, self.last_length_s) = (rate, Some(length).filter(|length| length.is_finite()));
+        }
         self.has_failed = error > 1.0 || error.is_nan();
-        let by_error = (AIM / error).powf(1.0 / ERROR_ORDER);
         if by_error.is_nan() { SHRINK } else { by_error.min(BEST_STEEPNESS / steepness).min(most).max(SHRINK) }
     }
 
@@ -38,6 +50,7 @@ impl GaussControl {
     pub(super) fn remember(&mut self, archive: &mut Archive) {
         archive.flag(&mut self.has_failed);
         archive.number(&mut self.last_rate);
+        archive.option(&mut self.last_length_s);
     }
 
     /// Factor for the next try after one that did not converge, or that could not be evaluated.
@@ -69,6 +82,25 @@ mod tests {
             assert!((factor(error, 0.01) / expected - 1.0).abs() <= ROUNDING, "{error}");
         }
         assert_eq!([factor(0.0, 0.01), factor(1e30, 0.01), factor(f64::NAN, 0.01)], [4.0, 0.2, 0.2]);
+    }
+
+    /// Errors that ask for 4 s and 1 s over steps of 1 s: the next one has √(1 · √(4 · 1)) s. Without an error, and behind a failure, it has what the last error
+    /// asks for.
+    #[test]
+    fn analytic_lengths_follow_the_errors_of_two_steps() {
+        let of = |length: f64| 0.01 * length.powi(-17);
+        for (lengths, expected) in
+            [([4.0, 1.0], 2.0_f64.sqrt()), ([0.8, 0.8], 0.8_f64.sqrt()), ([1.0, 1.0], 1.0), ([f64::INFINITY, 0.9], 0.9)]
+        {
+            let mut control = GaussControl::default();
+            let [_, factor] = lengths.map(|length| control.factor(1.0, of(length), 0.01));
+            assert!((factor / expected - 1.0).abs() <= ROUNDING, "{lengths:?}: {factor}");
+        }
+        let mut control = GaussControl::default();
+        control.factor(1.0, of(4.0), 0.01);
+        assert!(control.factor(1.0, of(0.5), 0.01) < 1.0);
+        let factor = control.factor(0.5, of(0.9), 0.01);
+        assert!((factor / 0.9 - 1.0).abs() <= ROUNDING, "{factor}");
     }
 
     /// A steepness of twice the best asks for half the length, whatever the error.

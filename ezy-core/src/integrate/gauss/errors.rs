@@ -1,144 +1,230 @@
 //! The error of a step, from the Legendre coefficients of its slopes and from what these are at its ends.
 
-use super::lanes;
 use super::tableau::{N, NODES};
 use crate::integrate::tolerances::gauss::{OF_SWEEPS, ROUNDING, UNEXPECTED};
-use crate::model::Eight;
-use crate::scalar::{Lanes, Scalar};
-
-/// Legendre polynomials at the ends of a step.
-const AT_START: Eight = Lanes([1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0]);
-const AT_END: Eight = Lanes([1.0; N]);
+use crate::model::{Eight, N_LANES};
+use crate::scalar::{Lanes, Scalar, in_widest};
 
 /// 15!! = 15 · 13 · … · 1
 const DOUBLE_FACTORIAL_OF_15: f64 = 2_027_025.0;
 
-/// The error of the end of a step over the tolerance, and the size of the Legendre coefficient of degree 8 of its slopes.
-///
-/// Between the nodes the equations are not met: by the polynomial P_8 times the coefficient that comes next, and what follows. The
-/// end of the step is off by the integral of that, times what a change of a slope at each time makes of the end. That factor
-/// is smooth, too, so that P_8 sees of it only its own coefficient of degree 8: of the linear motion z^8/(2^8 15!!), of the change of its
-/// rate over the step as much as of the slopes of the number that is least smooth, and where slopes do not depend on the state what their own
-/// coefficients leave: of all of them together, and of each one, be it far smaller than another one that is smooth.
-///
-/// The slopes at the start of the step are known: what the polynomial lacks there is the sum of all coefficients to come. Where
-/// it is more than predicted, coefficients fall as much more slowly.
-pub(super) fn error_of_slopes(
-    coefficients: &[Eight],
-    weights: &[f64],
-    sizes: &[f64; N],
-    at_start: &[f64],
-    steepness: f64,
-) -> [f64; 2] {
-    let (mut next, mut decay) = next_coefficient(sizes);
-    let (mut defect, mut own) = (0.0_f64, 0.0_f64);
-    // squares of the coefficient of degree 8 of the number that is least smooth, and of its largest one
-    let mut roughest = [0.0, 1.0];
-    for ((coefficients, weight), at_start) in coefficients.iter().zip(weights).zip(at_start) {
-        let lacks = weight * (lanes::sum(&AT_START, coefficients) - at_start).abs();
-        defect = defect.max(lacks);
-        let sizes = (coefficients.abs() * Eight::from_f64(*weight)).0;
-        // what changes a number by less than its tolerance changes no other
-        let largest = sizes.iter().copied().fold(1.0, f64::max).powi(2);
-        let next = next_by_two_decays(&sizes).square;
-        if next * roughest[1] > roughest[0] * largest {
-            roughest = [next, largest];
-        }
-        own = own.max(next_by_one_decay(&sizes).left(lacks - OF_SWEEPS));
-    }
-    // sweeps leave a part of the tolerance
-    defect -= OF_SWEEPS;
-    if defect > next {
-        decay = (decay * defect / next.max(f64::MIN_POSITIVE)).min(1.0);
-        next = defect;
-    }
-    let linear = (0.5 * steepness).powi(N as i32) / DOUBLE_FACTORIAL_OF_15;
-    let seen = linear + steepness * (roughest[0] / roughest[1]).sqrt() + decay.powi(N as i32);
-    [(next * seen).max(own.sqrt() - rounding_of(sizes)) / (2.0 * N as f64 + 1.0), next]
+/// What is known of the error of the step that was tried last, over the tolerance.
+#[derive(Debug)]
+pub(super) struct StepError {
+    of_eight: Vec<OfEight>,
+    /// What rounding leaves of slopes.
+    rounding: f64,
 }
 
-/// The error of the end of a step over the tolerance by the slopes there. A force that changes behind the last node is seen by nothing else: what the
-/// polynomial lacks at the end, beyond many times what its coefficients tell and what it lacks at the start, it lacks from that node on. Of smooth slopes it lacks
-/// as much at both ends, where P_8 is 1, also where the last coefficients are small by chance.
-pub(super) fn error_at_end(
-    coefficients: &[Eight],
-    weights: &[f64],
-    sizes: &[f64; N],
-    at_start: &[f64],
-    at_end: &[f64],
-) -> f64 {
-    let rounding = OF_SWEEPS + rounding_of(sizes);
-    let (mut unexpected, mut own) = (0.0_f64, 0.0_f64);
-    let ends = at_start.iter().zip(at_end);
-    for ((coefficients, weight), (at_start, at_end)) in coefficients.iter().zip(weights).zip(ends) {
-        let defect = weight * (lanes::sum(&AT_END, coefficients) - at_end).abs() - rounding;
-        let next = next_by_one_decay(&(coefficients.abs() * Eight::from_f64(*weight)).0);
-        own = own.max(next.left(defect));
-        // what is to come is more than what comes next, which needs no roots
-        if defect > unexpected && defect * defect > UNEXPECTED * UNEXPECTED * next.square {
-            let lacks = weight * (lanes::sum(&AT_START, coefficients) - at_start).abs();
-            unexpected = unexpected.max(defect - UNEXPECTED * next.to_come().max(lacks));
-        }
-    }
-    ((1.0 - NODES.0[N - 1]) * unexpected).max((own.sqrt() - rounding) / (2.0 * N as f64 + 1.0))
+/// Of up to eight numbers of the state, one a lane.
+#[derive(Debug, Clone)]
+struct OfEight {
+    weights: Eight,
+    /// What the polynomial lacks at the start of the step, and its slope at the end.
+    lacks: Eight,
+    at_end: Eight,
+    /// By one decay.
+    next: Next<Eight>,
 }
 
-/// What rounding leaves of slopes whose Legendre coefficients are of these sizes at most.
-fn rounding_of(sizes: &[f64; N]) -> f64 {
-    ROUNDING * sizes.iter().copied().fold(0.0, f64::max)
+impl StepError {
+    /// For so many numbers.
+    pub(super) fn new(n: usize) -> Self {
+        let zero = Eight::from_f64(0.0);
+        let none =
+            OfEight { weights: zero, lacks: zero, at_end: zero, next: Next { square: zero, decay_squared: zero } };
+        Self { of_eight: vec![none; n.div_ceil(N_LANES)], rounding: 0.0 }
+    }
+
+    /// The error of the end of the step, and the size of the Legendre coefficient of degree 8 of its slopes, by the coefficients before, the largest of
+    /// each degree, and the slopes at the start.
+    ///
+    /// Between the nodes the equations are not met: by the polynomial P_8 times the coefficient that comes next, and what follows. The
+    /// end of the step is off by the integral of that, times what a change of a slope at each time makes of the end. That factor
+    /// is smooth, too, so that P_8 sees of it only its own coefficient of degree 8: of the linear motion z^8/(2^8 15!!), of the change of its
+    /// rate over the step as much as of the slopes of the number that is least smooth, and where slopes do not depend on the state what their own
+    /// coefficients leave: of all of them together, and of each one, be it far smaller than another one that is smooth.
+    ///
+    /// The slopes at the start of the step are known: what the polynomial lacks there is the sum of all coefficients to come. Where
+    /// it is more than predicted, coefficients fall as much more slowly; a fall that slows down is believed as far as it shows there.
+    pub(super) fn of_slopes(
+        &mut self,
+        coefficients: &[Eight],
+        weights: &[f64],
+        sizes: &[f64; N],
+        at_start: &[f64],
+        steepness: f64,
+    ) -> [f64; 2] {
+        self.rounding = ROUNDING * sizes.iter().copied().fold(0.0, f64::max);
+        // what is lacking at the start, the square of the coefficient of degree 8 over the largest one of the least smooth number, and that of degree 16
+        let [mut defect, mut roughest, mut own] = [Eight::from_f64(0.0); 3];
+        let (of_eight, mut largest) = (&mut self.of_eight, [0.0; 3]);
+        let eights = coefficients.chunks(N_LANES).zip(weights.chunks(N_LANES)).zip(at_start.chunks(N_LANES));
+        in_widest(
+            #[inline(always)]
+            || {
+                for (of_eight, ((coefficients, weights), at_start)) in of_eight.iter_mut().zip(eights) {
+                    let weights = in_lanes(weights);
+                    let mut degrees = by_degree(coefficients);
+                    let even = (degrees[0] + degrees[2]) + (degrees[4] + degrees[6]);
+                    let odd = (degrees[1] + degrees[3]) + (degrees[5] + degrees[7]);
+                    let lacks = (even - odd - in_lanes(at_start)).abs() * weights;
+                    // what changes a number by less than its tolerance changes no other
+                    let mut size = Eight::from_f64(1.0);
+                    for degree in &mut degrees {
+                        *degree = degree.abs() * weights;
+                        size = size.max(*degree);
+                    }
+                    let rough = next_by_two_decays(&degrees, Eight::from_f64(f64::INFINITY)).square / (size * size);
+                    let next = next_by_one_decay(&degrees);
+                    defect = defect.max(lacks);
+                    roughest = roughest.max(rough);
+                    own = own.max(next.left(lacks - Eight::from_f64(OF_SWEEPS)));
+                    *of_eight = OfEight { weights, lacks, at_end: even + odd, next };
+                }
+                largest = [defect.magnitude(), roughest.magnitude(), own.magnitude()];
+            },
+        );
+        let [defect, roughest, own] = largest;
+        // sweeps leave a part of the tolerance
+        let defect = defect - OF_SWEEPS;
+        let (mut next, mut decay) = next_coefficient(sizes, defect);
+        if defect > next {
+            decay = (decay * defect / next.max(f64::MIN_POSITIVE)).min(1.0);
+            next = defect;
+        }
+        let linear = (0.5 * steepness).powi(N as i32) / DOUBLE_FACTORIAL_OF_15;
+        let seen = linear + steepness * roughest.sqrt() + decay.powi(N as i32);
+        [(next * seen).max(own.sqrt() - self.rounding) / (2.0 * N as f64 + 1.0), next]
+    }
+
+    /// The error of the end by the slopes there. A force that changes behind the last node is seen by nothing else: what the
+    /// polynomial lacks at the end, beyond many times what its coefficients tell and what it lacks at the start, it lacks from that node on. Of smooth slopes it lacks
+    /// as much at both ends, where P_8 is 1, also where the last coefficients are small by chance.
+    pub(super) fn by_end(&self, at_end: &[f64]) -> f64 {
+        let rounding = OF_SWEEPS + self.rounding;
+        let [mut unexpected, mut own] = [0.0; 2];
+        in_widest(
+            #[inline(always)]
+            || {
+                let [mut surprises, mut left] = [Eight::from_f64(0.0); 2];
+                for (OfEight { weights, lacks, at_end: found, next }, at_end) in
+                    self.of_eight.iter().zip(at_end.chunks(N_LANES))
+                {
+                    let defect = (*found - in_lanes(at_end)).abs() * *weights - Eight::from_f64(rounding);
+                    let expected = Eight::from_f64(UNEXPECTED) * next.to_come().max(*lacks);
+                    left = left.max(next.left(defect));
+                    surprises = surprises.max(defect - expected);
+                }
+                [unexpected, own] = [surprises.magnitude(), left.magnitude()];
+            },
+        );
+        ((1.0 - NODES.0[N - 1]) * unexpected).max((own.sqrt() - rounding) / (2.0 * N as f64 + 1.0))
+    }
+}
+
+/// Up to eight numbers; zeros behind them.
+#[inline(always)]
+fn in_lanes(numbers: &[f64]) -> Eight {
+    let mut lanes = [0.0; N_LANES];
+    lanes[..numbers.len()].copy_from_slice(numbers);
+    Lanes(lanes)
+}
+
+/// The coefficients of each degree of up to eight numbers.
+#[inline(always)]
+fn by_degree(coefficients: &[Eight]) -> [Eight; N] {
+    let mut degrees = [Eight::from_f64(0.0); N];
+    for (i, coefficients) in coefficients.iter().enumerate() {
+        for (degree, coefficient) in degrees.iter_mut().zip(coefficients.0) {
+            degree.0[i] = coefficient;
+        }
+    }
+    degrees
 }
 
 /// The square of the Legendre coefficient of degree 8, which is not known, by those of lower degrees: so one root is taken in the end, and not one a number.
-struct Next {
-    square: f64,
+#[derive(Debug, Clone)]
+struct Next<T> {
+    square: T,
     /// Square of each coefficient over the one before.
-    decay_squared: f64,
+    decay_squared: T,
 }
 
-impl Next {
-    fn new(sizes: &[f64; N], decay_squared: f64) -> Self {
+impl<T: Scalar> Next<T> {
+    #[inline(always)]
+    fn new(sizes: &[T; N], decay_squared: T) -> Self {
         let square = decay_squared * (sizes[7] * sizes[7]).max(decay_squared * sizes[6] * sizes[6]);
         Self { square, decay_squared }
     }
 
     /// The square of the coefficient of degree 16 of a number that lacks so much at an end, or nothing below zero: that is the coefficient of degree 8, and
     /// more.
-    fn left(&self, defect: f64) -> f64 {
-        self.square.max(defect.max(0.0).powi(2)) * self.decay_squared.powi(N as i32)
+    #[inline(always)]
+    fn left(&self, defect: T) -> T {
+        let defect = defect.max(T::from_f64(0.0));
+        let of_four = (self.decay_squared * self.decay_squared) * (self.decay_squared * self.decay_squared);
+        self.square.max(defect * defect) * (of_four * of_four)
     }
 
     /// Sum of this coefficient and those that follow.
-    fn to_come(&self) -> f64 {
-        if self.square > 0.0 { self.square.sqrt() / (1.0 - self.decay_squared.sqrt()) } else { 0.0 }
+    #[inline(always)]
+    fn to_come(&self) -> T {
+        self.square.sqrt() / (T::from_f64(1.0) - self.decay_squared.sqrt()).max(T::from_f64(f64::MIN_POSITIVE))
     }
 }
 
-/// Of one number. Each coefficient is smaller by the same factor, which stands behind it: that of the last four degrees, since coefficients between may be
+/// What a size is multiplied by from one to the next, at most 1: also of two that vanish.
+#[inline(always)]
+fn decay<T: Scalar>(from: T, to: T) -> T {
+    let least = T::from_f64(f64::MIN_POSITIVE);
+    ((to + least) / (from + least)).min(T::from_f64(1.0))
+}
+
+/// Each coefficient is smaller by the same factor, which stands behind it: that of the last four degrees, since coefficients between may be
 /// small by chance.
-fn next_by_one_decay(sizes: &[f64; N]) -> Next {
+#[inline(always)]
+fn next_by_one_decay<T: Scalar>(sizes: &[T; N]) -> Next<T> {
     let [first, last] = [2, 6].map(|m| sizes[m].max(sizes[m + 1]));
-    Next::new(sizes, if first > last { (last / first).sqrt() } else { 1.0 })
+    Next::new(sizes, decay(first, last).sqrt())
 }
 
 /// Each coefficient is smaller by the same factor, which stands behind it, or by a factor that grows as it did, where a force is less smooth than what
-/// stands out in the first coefficients. Those of even or odd degree may be small by symmetry.
-fn next_by_two_decays(sizes: &[f64; N]) -> Next {
+/// stands out in the first coefficients: as far as the slopes at an end lack it, where that is known, and it is not infinite. Those of even or odd degree may be
+/// small by symmetry.
+#[inline(always)]
+fn next_by_two_decays<T: Scalar>(sizes: &[T; N], lacks: T) -> Next<T> {
     let [first, earlier, later] = [2, 4, 6].map(|m| sizes[m].max(sizes[m + 1]));
     // over two degrees
-    let decay = |from: f64, to: f64| if from > to { to / from } else { 1.0 };
     let (before, last) = (decay(first, earlier), decay(earlier, later));
-    Next::new(sizes, if last > before { (last * last / before).min(1.0) } else { last })
+    let slower = (last * last / before).min(T::from_f64(1.0)).max(last);
+    Next::new(sizes, slower.min((lacks / later).max(last)))
 }
 
 /// The size of the Legendre coefficient of degree 8, and of each over the one before: [`next_by_two_decays`].
-pub(super) fn next_coefficient(sizes: &[f64; N]) -> (f64, f64) {
-    let Next { square, decay_squared } = next_by_two_decays(sizes);
+pub(super) fn next_coefficient(sizes: &[f64; N], lacks: f64) -> (f64, f64) {
+    let Next { square, decay_squared } = next_by_two_decays(sizes, lacks);
     (square.sqrt(), decay_squared.sqrt())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integrate::gauss::lanes;
+
+    /// Legendre polynomials at the ends of a step.
+    const AT_START: Eight = Lanes([1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0]);
+    const AT_END: Eight = Lanes([1.0; N]);
+
+    fn error_of_slopes(
+        coefficients: &[Eight],
+        weights: &[f64],
+        sizes: &[f64; N],
+        at_start: &[f64],
+        steepness: f64,
+    ) -> [f64; 2] {
+        StepError::new(weights.len()).of_slopes(coefficients, weights, sizes, at_start, steepness)
+    }
 
     /// Rounding of some twenty operations.
     const ROUNDING_OF_SUMS: f64 = 1e-14;
@@ -150,7 +236,7 @@ mod tests {
 
     #[test]
     fn analytic_coefficients_that_fall_by_a_factor_go_on_so() {
-        let (next, decay) = next_coefficient(&falling(0.1, 4.0));
+        let (next, decay) = next_coefficient(&falling(0.1, 4.0), f64::INFINITY);
         assert!((next / 0.4 - 1.0).abs() <= ROUNDING_OF_SUMS && (decay / 0.1 - 1.0).abs() <= ROUNDING_OF_SUMS);
     }
 
@@ -159,9 +245,21 @@ mod tests {
     #[test]
     fn analytic_coefficients_that_fall_ever_more_slowly_go_on_so() {
         let sizes = [1e9, 1e9, 1e6, 1e6, 1.0, 1.0, 1e-3, 1e-3];
-        let (next, decay) = next_coefficient(&sizes);
+        let (next, decay) = next_coefficient(&sizes, f64::INFINITY);
         assert!((decay - 1.0).abs() <= ROUNDING_OF_SUMS, "{decay}");
         assert!((next / 1e-3 - 1.0).abs() <= ROUNDING_OF_SUMS, "{next}");
+    }
+
+    /// The same where slopes at the start lack a tenth of the last coefficients, so that those two degrees later are that; and where they lack nothing, so
+    /// that coefficients fall as they did last.
+    #[test]
+    fn analytic_fall_that_slows_down_is_believed_as_far_as_the_start_shows_it() {
+        let sizes = [1e9, 1e9, 1e6, 1e6, 1.0, 1.0, 1e-3, 1e-3];
+        for (lacks, over_two) in [(1e-4_f64, 0.1), (0.0, 1e-3), (-1.0, 1e-3), (1.0, 1.0)] {
+            let (next, decay) = next_coefficient(&sizes, lacks);
+            assert!((decay * decay / over_two - 1.0).abs() <= ROUNDING_OF_SUMS, "{lacks}: {decay}");
+            assert!((next / (1e-3 * decay) - 1.0).abs() <= ROUNDING_OF_SUMS, "{lacks}: {next}");
+        }
     }
 
     /// A slope of c · P_8 is 0 at all nodes and c at the start.
@@ -207,7 +305,9 @@ mod tests {
             let coefficients = [Lanes(sizes)];
             let start = [lanes::sum(&AT_START, &coefficients[0]) + lacks_at_start];
             let end = [lanes::sum(&AT_END, &coefficients[0]) + lacks];
-            error_at_end(&coefficients, &[1e9], &[0.0; N], &start, &end)
+            let mut step = StepError::new(1);
+            step.of_slopes(&coefficients, &[1e9], &[0.0; N], &start, 0.0);
+            step.by_end(&end)
         };
         let error = |sizes: [f64; N], lacks: f64| error_of(sizes, 0.0, lacks);
         // but for what it leaves at degree 16
@@ -235,6 +335,25 @@ mod tests {
         };
         // of its own coefficient of degree 8 over its first one, 2^-8, the end sees the 17th part, times what comes next: 500
         assert!(error(&both) >= 500.0 * 0.5_f64.powi(8) / 17.0, "{}", error(&both));
+    }
+
+    /// The ninth number stands in lanes of its own: it counts as it does alone.
+    #[test]
+    fn invariant_error_of_many_numbers_is_that_of_the_one_that_moves() {
+        let rough = Lanes(falling(0.5, 1e3));
+        let [alone, ninth] = [1, 9].map(|n| {
+            let mut coefficients = vec![Eight::from_f64(0.0); n];
+            coefficients[n - 1] = rough;
+            let weights = vec![1.0; n];
+            let start: Vec<f64> = coefficients.iter().map(|of| lanes::sum(&AT_START, of)).collect();
+            let mut end: Vec<f64> = coefficients.iter().map(|of| lanes::sum(&AT_END, of)).collect();
+            end[n - 1] += 1e9;
+            let mut step = StepError::new(n);
+            let sizes = lanes::sizes(&coefficients, &weights);
+            let [error, next] = step.of_slopes(&coefficients, &weights, &sizes, &start, 1.0);
+            [error, next, step.by_end(&end)]
+        });
+        assert!(alone == ninth && alone.iter().all(|error| *error > 0.1), "{alone:?} {ninth:?}");
     }
 
     /// Changes of the state by less than the tolerance make no step shorter, be they as rough as rounding.

@@ -1,6 +1,6 @@
 //! What is done with values at all nodes of a step, in the widest vector registers.
 
-use super::tableau::{N, NODES, TO_COEFFICIENTS, TO_INTEGRALS};
+use super::tableau::{N, NODES, RECURRENCE, TO_COEFFICIENTS, TO_INTEGRALS};
 use crate::model::Eight;
 use crate::model::in_lanes::{largest_change, times};
 use crate::scalar::{Lanes, Scalar, in_widest};
@@ -66,9 +66,9 @@ pub(super) fn evaluate(coefficients: &[Eight], degree: usize, start: f64, length
             let mut polynomials = [Eight::from_f64(1.0); N];
             polynomials[1] = x;
             for k in 1..N - 1 {
-                let n = k as f64;
-                let [before, last] = [Eight::from_f64(-n / (n + 1.0)), Eight::from_f64((2.0 * n + 1.0) / (n + 1.0))];
-                polynomials[k + 1] = (last * x).fused(polynomials[k], before * polynomials[k - 1]);
+                let [last, before] = RECURRENCE[k];
+                let of_before = Eight::from_f64(-before) * polynomials[k - 1];
+                polynomials[k + 1] = (Eight::from_f64(last) * x).fused(polynomials[k], of_before);
             }
             polynomials[degree + 1..].fill(Eight::from_f64(0.0));
             for (out, coefficients) in out.iter_mut().zip(coefficients) {

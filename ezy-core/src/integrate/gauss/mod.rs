@@ -17,7 +17,7 @@ use crate::scalar::Scalar;
 pub(crate) use collocation::Collocation;
 use control::GaussControl;
 use convergence::{Convergence, Sweeps};
-use errors::{error_at_end, error_of_slopes, next_coefficient};
+use errors::{StepError, next_coefficient};
 use quasi::QuasiSweeps;
 use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, legendre, weights_up_to};
 
@@ -53,6 +53,8 @@ pub(crate) struct Gauss {
     last: Vec<Eight>,
     /// Sizes of those coefficients by degree, as [`lanes::sizes`].
     sizes: [f64; N],
+    /// What they tell of the step that was tried last.
+    error: StepError,
     last_sizes: [f64; N],
     /// Length of the step before, s; none after a start.
     last_s: Option<f64>,
@@ -92,6 +94,7 @@ impl Gauss {
             coefficients: zeros(n_q),
             last: zeros(n_q),
             sizes: [0.0; N],
+            error: StepError::new(n_q),
             last_sizes: [0.0; N],
             last_s: None,
             tried_s: None,
@@ -162,10 +165,10 @@ impl Gauss {
         self.nodes.smallest_pivot
     }
 
-    /// The error of the end of the step that was tried last, over the tolerance, by the accelerations there and at the start. A force that changes between
+    /// The error of the end of the step that was tried last, over the tolerance, by the accelerations there. A force that changes between
     /// the last node and the end is seen by nothing else.
-    pub(crate) fn error_by_end(&self, at_start: &[f64], at_end: &[f64]) -> f64 {
-        error_at_end(&self.coefficients, &self.weights, &self.sizes, at_start, at_end)
+    pub(crate) fn error_by_end(&self, at_end: &[f64]) -> f64 {
+        self.error.by_end(at_end)
     }
 
     /// Keeps the step that was tried last.
@@ -262,12 +265,13 @@ impl Gauss {
 
     /// Errors over the tolerance at the end of the step and within it, from the Legendre coefficients of the slopes.
     fn errors(&mut self, from: Node<'_>, steepness: f64) -> [f64; 2] {
-        let Self { nodes, power, of_power, coefficients, weights, sizes, .. } = self;
+        let Self { nodes, power, of_power, coefficients, weights, sizes, error, .. } = self;
         *sizes = lanes::coefficients_and_sizes(&nodes.a, weights, coefficients);
-        let [error, next] = error_of_slopes(coefficients, weights, sizes, from.a, steepness);
+        let [error, next] = error.of_slopes(coefficients, weights, sizes, from.a, steepness);
         let mut of_works = 0.0;
         if !power.is_empty() {
-            of_works = next_coefficient(&lanes::coefficients_and_sizes(power, &self.work_weights, of_power)).0;
+            let sizes = lanes::coefficients_and_sizes(power, &self.work_weights, of_power);
+            of_works = next_coefficient(&sizes, f64::INFINITY).0;
         }
         [error, LARGEST_INTEGRAL * next.max(of_works)]
     }
@@ -373,11 +377,11 @@ fn write_weights(from: &State, h: f64, tolerance: Tolerance, weights: &mut [f64]
 fn useful_degree(sizes: &[f64; N], length: f64) -> usize {
     let polynomials = legendre(1.0 + 2.0 * length);
     let term = |m: usize| sizes[m] * polynomials[m];
-    let of_two = |m: usize| term(m).max(if m + 1 < N { term(m + 1) } else { 0.0 });
-    let mut best = 0;
-    for m in 1..N {
-        if of_two(m) <= of_two(best) {
-            best = m;
+    let (mut best, mut least) = (0, f64::INFINITY);
+    for m in 0..N {
+        let of_two = term(m).max(if m + 1 < N { term(m + 1) } else { 0.0 });
+        if of_two <= least {
+            (best, least) = (m, of_two);
         }
     }
     best

@@ -31,15 +31,26 @@ const fn on_both_sides(i: usize) -> (f64, f64) {
     }
 }
 
+/// (2n + 1)/(n + 1) and n/(n + 1), by which P_{n+1} follows from P_n and P_{n−1}.
+pub(super) const RECURRENCE: [[f64; 2]; N + 1] = {
+    let mut quotients = [[0.0; 2]; N + 1];
+    let mut k = 0;
+    while k <= N {
+        let n = k as f64;
+        quotients[k] = [(2.0 * n + 1.0) / (n + 1.0), n / (n + 1.0)];
+        k += 1;
+    }
+    quotients
+};
+
 /// P_0 … P_9 at `x`.
 pub(super) const fn legendre(x: f64) -> [f64; N + 2] {
     let mut p = [1.0; N + 2];
     p[1] = x;
     let mut k = 1;
     while k <= N {
-        let n = k as f64;
-        // the quotients are constants
-        p[k + 1] = (2.0 * n + 1.0) / (n + 1.0) * x * p[k] - n / (n + 1.0) * p[k - 1];
+        let [last, before] = RECURRENCE[k];
+        p[k + 1] = last * x * p[k] - before * p[k - 1];
         k += 1;
     }
     p

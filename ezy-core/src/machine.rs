@@ -24,7 +24,8 @@ fn in_avx2<F: FnOnce() -> R, R>(f: F) -> R {
 #[cfg(all(feature = "sparse", target_arch = "x86_64"))]
 pub(crate) mod register {
     use std::arch::x86_64::{
-        __m128d, _mm_add_pd, _mm_cvtsd_f64, _mm_div_pd, _mm_min_pd, _mm_mul_pd, _mm_set_pd, _mm_sub_pd, _mm_unpackhi_pd,
+        __m128d, _mm_add_pd, _mm_and_pd, _mm_cmpnlt_pd, _mm_cvtsd_f64, _mm_div_pd, _mm_min_pd, _mm_mul_pd, _mm_set_pd,
+        _mm_sub_pd, _mm_unpackhi_pd,
     };
 
     pub(crate) type Register = __m128d;
@@ -44,6 +45,8 @@ pub(crate) mod register {
         mul: _mm_mul_pd(a: Register, b: Register) -> Register;
         div: _mm_div_pd(a: Register, b: Register) -> Register;
         min: _mm_min_pd(a: Register, b: Register) -> Register;
+        and: _mm_and_pd(a: Register, b: Register) -> Register;
+        not_below: _mm_cmpnlt_pd(a: Register, b: Register) -> Register;
         of_second_and_first: _mm_set_pd(second: f64, first: f64) -> Register;
         first: _mm_cvtsd_f64(a: Register) -> f64;
         seconds: _mm_unpackhi_pd(a: Register, b: Register) -> Register;
@@ -57,6 +60,13 @@ pub(crate) mod register {
     #[inline(always)]
     pub(crate) fn lanes(register: Register) -> [f64; 2] {
         [register, seconds(register, register)].map(first)
+    }
+
+    /// Zero in place of numbers whose size is below `least`.
+    #[inline(always)]
+    pub(crate) fn or_zero_below(a: Register, least: Register) -> Register {
+        let size = and(a, of([f64::from_bits(!(1 << 63)); 2]));
+        and(a, not_below(size, least))
     }
 }
 
@@ -91,5 +101,6 @@ pub(crate) mod register {
         mul: |a, b| a * b;
         div: |a, b| a / b;
         min: |a, b| if a < b { a } else { b };
+        or_zero_below: |a, least| if a.abs() < least { 0.0 } else { a };
     );
 }

@@ -9,7 +9,7 @@ mod tests;
 mod two;
 
 use super::joints::{BODIES, Plan};
-use super::tolerances::blocks::REFINED;
+use super::tolerances::blocks::{NEGLIGIBLE, REFINED};
 use super::{KktFactorization, VanishedPivot};
 use crate::model::coordinate::{N_OF_BODY, body_and_component, n_bodies};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
@@ -99,7 +99,8 @@ fn are_aligned(pattern: &SparsityPattern, plan: &Plan) -> bool {
 impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
     fn new(mass: &[f64], pattern: &SparsityPattern, plan: &Plan) -> Self {
         let mut layouts = vec![F::USUAL, turned(F::USUAL)];
-        let paths = paths::paths::<F, B, N>(plan, pattern, &mut layouts);
+        let negligible = NEGLIGIBLE * mass.iter().copied().fold(f64::INFINITY, f64::min);
+        let paths = paths::paths::<F, B, N>(plan, pattern, &mut layouts, negligible);
         let Columns { nodes, layouts, below, targets } = Columns::new::<F>(plan, pattern, layouts);
         Self {
             form: PhantomData,

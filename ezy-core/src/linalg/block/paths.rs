@@ -7,6 +7,7 @@ use super::two::{Number, Two};
 use super::{Block, Bodies, Column, Node, OfBody, apply, dot, product_times, subtract, sum, times};
 use crate::linalg::VanishedPivot;
 use crate::linalg::joints::{BODIES, Plan};
+use crate::linalg::tolerances::blocks::NEGLIGIBLE;
 use crate::model::SparsityPattern;
 use crate::model::coordinate::N_OF_BODY;
 use std::array::from_fn;
@@ -41,6 +42,8 @@ pub(super) struct Paths<const B: usize, const N: usize> {
     twins: Vec<Twin<B, N>>,
     /// The joint behind each path among those that are in none, and the place there of the body that both hold.
     ends: [(usize, usize); 2],
+    /// Multipliers below this are zero.
+    negligible: Two,
 }
 
 /// All pairs of paths of a plan.
@@ -48,6 +51,7 @@ pub(super) fn paths<F: Form<B, N>, const B: usize, const N: usize>(
     plan: &Plan,
     pattern: &SparsityPattern,
     layouts: &mut Vec<Layout<N>>,
+    negligible: f64,
 ) -> Vec<Paths<B, N>> {
     let (Plan { joints, later, paths }, n_in_paths) = (plan, plan.n_in_paths());
     // of a path every joint has one behind it, with which it shares one body: its places here and there
@@ -71,7 +75,7 @@ pub(super) fn paths<F: Form<B, N>, const B: usize, const N: usize>(
         let places: Vec<[Place; 2]> = (0..n).map(|i| [0, 1].map(|lane| place(first + 2 * i + lane))).collect();
         first += 2 * n;
         let end = |k: usize| (behind(k).0 - n_in_paths, behind(k).1.1);
-        Paths::new(&places, [end(first - 2), end(first - 1)])
+        Paths::new(&places, [end(first - 2), end(first - 1)], negligible)
     });
     both.collect()
 }
@@ -144,8 +148,14 @@ fn rows<F: Form<B, N>, const B: usize, const N: usize>(places: &[Place; 2], of: 
     from_fn(|r| Two::new([one[r], other[r]]))
 }
 
+/// Whether the twin at this place is asked for what is negligible: not every one, since the next one waits for the answer.
+#[inline(always)]
+fn is_asked(i: usize) -> bool {
+    i % 16 == 15
+}
+
 impl<const B: usize, const N: usize> Paths<B, N> {
-    fn new(places: &[[Place; 2]], ends: [(usize, usize); 2]) -> Self {
+    fn new(places: &[[Place; 2]], ends: [(usize, usize); 2], negligible: f64) -> Self {
         let zero = Two::from_f64(0.0);
         let twin = |&places| Twin {
             slots: [[zero; N]; BODIES],
@@ -154,7 +164,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             y: [zero; B],
             places,
         };
-        Self { twins: places.iter().map(twin).collect(), ends }
+        Self { twins: places.iter().map(twin).collect(), ends, negligible: Two::from_f64(negligible) }
     }
 
     pub(super) fn n_joints(&self) -> usize {
@@ -226,7 +236,8 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         // what the joints before take from a block of D, of which the triangle below is read
         let mut taken = [[Two::from_f64(0.0); B]; B];
         let mut rest = &mut self.twins[..];
-        while let Some((twin, later)) = rest.split_first_mut() {
+        for i in 0.. {
+            let Some((twin, later)) = rest.split_first_mut() else { break };
             let [early, late] = &twin.slots;
             let mut own = sum(&F::product(early, early), &F::product(late, late));
             if let Some(damping) = given.damping {
@@ -249,6 +260,12 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             let scaled = inverse.numerator.map(|of_row| apply(&block, &of_row));
             taken = product_times(&scaled, &block, reciprocal);
             twin.lower = times(&scaled, reciprocal);
+            if is_asked(i) {
+                for (c, column) in taken.iter_mut().enumerate() {
+                    let least = column[c] * Two::from_f64(NEGLIGIBLE);
+                    column[c + 1..].iter_mut().for_each(|entry| *entry = entry.or_zero_below(least));
+                }
+            }
             rest = later;
         }
         for (lane, (node, _)) in self.ends.iter().enumerate() {
@@ -273,7 +290,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         };
         let mut before = at(&first.places, 0);
         let mut pulled = [Two::from_f64(0.0); B];
-        for twin in &mut self.twins {
+        for (i, twin) in self.twins.iter_mut().enumerate() {
             let behind = at(&twin.places, 1);
             let mut sum = rows::<F, B, N>(&twin.places, s).map(|s| -s);
             F::add(&mut sum, &twin.slots[0], &before);
@@ -282,6 +299,9 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             subtract(&mut sum, &pulled);
             twin.y = sum;
             pulled = apply(&twin.lower, &sum);
+            if is_asked(i) {
+                pulled = pulled.map(|y| y.or_zero_below(self.negligible));
+            }
             before = behind;
         }
         for (lane, (node, _)) in self.ends.iter().enumerate() {
@@ -304,7 +324,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         let mut places = last.places;
         // the bodies behind the paths are scaled with those of the other joints
         let (mut behind, mut scale) = (gathered(x, &places, 1), [Two::from_f64(1.0); N_OF_BODY]);
-        for twin in self.twins.iter().rev() {
+        for (i, twin) in self.twins.iter().enumerate().rev() {
             places = twin.places;
             let mut solved = apply(&twin.inverse, &twin.y);
             subtract(&mut solved, &twin.lower.map(|of_row| dot(&of_row, &y)));
@@ -313,14 +333,19 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             if BEGINS {
                 before = from_fn(|i| before[i] * root[i]);
             }
-            F::subtract_transposed(&mut behind, &twin.slots[1], &y);
-            F::subtract_transposed(&mut before, &twin.slots[0], &y);
+            // joints before do not wait for this question
+            let kept = y.map(|y| y.or_zero_below(self.negligible));
+            F::subtract_transposed(&mut behind, &twin.slots[1], &kept);
+            F::subtract_transposed(&mut before, &twin.slots[0], &kept);
             if ENDS {
                 behind = from_fn(|i| behind[i] * scale[i]);
             }
             for (lane, place) in places.iter().enumerate() {
                 x[place.bodies[1] as usize] = behind.map(|x| x.lanes()[lane]);
-                found(place.rows, &y.map(|y| y.lanes()[lane]));
+                found(place.rows, &kept.map(|y| y.lanes()[lane]));
+            }
+            if is_asked(i) {
+                y = y.map(|y| y.or_zero_below(self.negligible));
             }
             (behind, scale) = (before, root);
         }

@@ -1,5 +1,16 @@
+use super::two::{Number as _, Two};
 use super::*;
 use crate::linalg::tests::Numbers;
+
+/// What is no number is kept: it ends an elimination.
+#[test]
+fn analytic_numbers_below_a_size_are_zero() {
+    let kept = |x: f64| Two::new([x, 5.0]).or_zero_below(Two::from_f64(2.0)).lanes();
+    for (x, expected) in [(1.0, 0.0), (-1.0, 0.0), (2.0, 2.0), (-3.0, -3.0)] {
+        assert_eq!(kept(x), [expected, 5.0]);
+    }
+    assert!(kept(f64::NAN)[0].is_nan());
+}
 
 /// Two rows of one body that are `angle` apart, so that the second pivot is sin²: x = 0, whatever pushes, and y with the digits that the
 /// angle has. Where the pivot is not small nothing is spent on it.

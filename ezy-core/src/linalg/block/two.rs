@@ -32,6 +32,12 @@ impl Two {
         register::lanes(self.0)
     }
 
+    /// Zero in place of numbers whose size is below this.
+    #[inline(always)]
+    pub(super) fn or_zero_below(self, least: Self) -> Self {
+        Self(register::or_zero_below(self.0, least.0))
+    }
+
     /// The smaller numbers; those of `other` where one is not a number.
     #[inline(always)]
     pub(super) fn min(self, other: Self) -> Self {

@@ -47,9 +47,9 @@ pub(crate) mod blocks {
     /// Test: `analytic_small_pivots_cost_no_digits`.
     pub(crate) const REFINED: f64 = 1e-3;
 
-    /// Multipliers below this many times the smallest mass are zero, and so is what one row of a joint takes from another one beside what it takes from itself.
-    /// Those of a level chain fall by 3.7 from rod to rod, their products with angles and the squares of rates twice as fast and more: below 2.2e-308
-    /// the processor takes longer for each operation.
+    /// Multipliers below this many times the smallest mass are zero. So is what couples two rows, beside what the first of them takes from itself.
+    /// Multipliers of a level chain fall by 3.7 from rod to rod, their products twice as fast and more, and below 2.2e-308 the processor takes longer for
+    /// each operation.
     /// Unit: m/s², or 1/s² of a moment of inertia; 1.
     /// Test: `analytic_rods_of_a_level_chain_turn_less_and_less_and_then_not_at_all`.
     pub(crate) const NEGLIGIBLE: f64 = 1e-60;

@@ -25,8 +25,8 @@ impl GaussControl {
     /// Factor for the step after one of the length `h` with this error over the tolerance and this steepness of the equations; it is accepted where the error is
     /// at most one. A step whose sweeps have little to do says less of how steep the equations are than the one before, so the larger of both counts.
     ///
-    /// Errors of neighbouring steps differ by chance. So the next length is the geometric mean of the present one and of those that the last two errors ask for;
-    /// behind a start, and a step that failed, it is the one that the last error asks for.
+    /// Errors of neighbouring steps differ by chance. So the next length is √(h √(L K)), where the last two errors ask for the lengths L and K. Behind a start,
+    /// and behind a step that failed, it is the length that the last error asks for.
     ///
     /// # Source
     /// H211b with b = 4: Söderlind, Digital filters in adaptive time-stepping, ACM Transactions on Mathematical Software 29 (2003).

@@ -148,9 +148,9 @@ fn rows<F: Form<B, N>, const B: usize, const N: usize>(places: &[Place; 2], of: 
     from_fn(|r| Two::new([one[r], other[r]]))
 }
 
-/// Whether the twin at this place is asked for what is negligible: not every one, since the next one waits for the answer.
+/// Whether what this twin passes on is tested for negligible numbers: not at every one, since the next one waits for it.
 #[inline(always)]
-fn is_asked(i: usize) -> bool {
+fn is_tested(i: usize) -> bool {
     i % 16 == 15
 }
 
@@ -260,7 +260,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             let scaled = inverse.numerator.map(|of_row| apply(&block, &of_row));
             taken = product_times(&scaled, &block, reciprocal);
             twin.lower = times(&scaled, reciprocal);
-            if is_asked(i) {
+            if is_tested(i) {
                 for (c, column) in taken.iter_mut().enumerate() {
                     let least = column[c] * Two::from_f64(NEGLIGIBLE);
                     column[c + 1..].iter_mut().for_each(|entry| *entry = entry.or_zero_below(least));
@@ -299,7 +299,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             subtract(&mut sum, &pulled);
             twin.y = sum;
             pulled = apply(&twin.lower, &sum);
-            if is_asked(i) {
+            if is_tested(i) {
                 pulled = pulled.map(|y| y.or_zero_below(self.negligible));
             }
             before = behind;
@@ -333,7 +333,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             if BEGINS {
                 before = from_fn(|i| before[i] * root[i]);
             }
-            // joints before do not wait for this question
+            // joints before do not wait for this test
             let kept = y.map(|y| y.or_zero_below(self.negligible));
             F::subtract_transposed(&mut behind, &twin.slots[1], &kept);
             F::subtract_transposed(&mut before, &twin.slots[0], &kept);
@@ -344,7 +344,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
                 x[place.bodies[1] as usize] = behind.map(|x| x.lanes()[lane]);
                 found(place.rows, &kept.map(|y| y.lanes()[lane]));
             }
-            if is_asked(i) {
+            if is_tested(i) {
                 y = y.map(|y| y.or_zero_below(self.negligible));
             }
             (behind, scale) = (before, root);

@@ -7,17 +7,71 @@
 #[inline(always)]
 pub(crate) fn in_widest<F: FnOnce() -> R, R>(f: F) -> R {
     #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2") {
+    if has_avx2() {
         // SAFETY: `in_avx2` needs a processor with AVX2, and this one has it
         return unsafe { in_avx2(f) };
     }
     f()
 }
 
+/// What `wide` returns, compiled as by [`in_widest`] and for no other registers; on an x86-64 processor without these, what `narrow` returns. Kernels in lanes take the compiler
+/// longer than all else in a crate of models, and few processors need them twice.
+#[inline(always)]
+pub(crate) fn in_widest_or<R>(wide: impl FnOnce() -> R, narrow: impl FnOnce() -> R) -> R {
+    #[cfg(target_arch = "x86_64")]
+    {
+        if has_avx2() {
+            // SAFETY: `in_avx2` needs a processor with AVX2, and this one has it
+            unsafe { in_avx2(wide) }
+        } else {
+            narrow()
+        }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    {
+        let _ = narrow;
+        wide()
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+fn has_avx2() -> bool {
+    #[cfg(test)]
+    if narrow::IS_ASKED_FOR.get() {
+        return false;
+    }
+    std::arch::is_x86_feature_detected!("avx2")
+}
+
+/// Another processor, for tests.
+#[cfg(test)]
+pub(crate) mod narrow {
+    use std::cell::Cell;
+
+    thread_local! {
+        pub(super) static IS_ASKED_FOR: Cell<bool> = const { Cell::new(false) };
+    }
+
+    /// What `f` returns on a processor without the widest vector registers.
+    pub(crate) fn on_narrow_processor<R>(f: impl FnOnce() -> R) -> R {
+        IS_ASKED_FOR.set(true);
+        let found = f();
+        IS_ASKED_FOR.set(false);
+        found
+    }
+}
+
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
 fn in_avx2<F: FnOnce() -> R, R>(f: F) -> R {
     f()
+}
+
+/// What `f` returns, a part of what [`in_widest_or`] calls, as a function of its own.
+#[inline(never)]
+pub(crate) fn part_in_widest<F: FnOnce() -> R, R>(f: F) -> R {
+    in_widest_or(f, || panic!("a long kernel in lanes needs a processor with AVX2: take one of f64"))
 }
 
 /// Two numbers that go through the same operations, as the instructions of the machine have them: of arrays the compiler would make vectors of its own choice.

@@ -23,7 +23,7 @@ mod random;
 #[cfg(feature = "export")]
 mod recorded;
 
-pub(crate) use crate::machine::in_widest;
+pub(crate) use crate::machine::{in_widest, in_widest_or, part_in_widest};
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
@@ -77,6 +77,15 @@ pub trait Scalar:
     /// inlined; the result has the same bits.
     #[inline(always)]
     fn in_widest<R>(f: impl FnOnce() -> R) -> R {
+        f()
+    }
+
+    /// What `f` returns, a part of a long kernel, as a function of its own: what is always inlined would be one function again.
+    ///
+    /// # Panics
+    /// For [`Lanes`] on an x86-64 processor without AVX2.
+    #[inline(never)]
+    fn in_part<R>(f: impl FnOnce() -> R) -> R {
         f()
     }
 

@@ -4,8 +4,9 @@ use super::geometry::Geometry;
 use super::tolerances::projection::{MAX_PASSES, PASSES_TO_ROUNDING};
 use super::{MotionError, Rows, System};
 use crate::model::body_kind;
+use crate::model::in_lanes::kernels;
 use crate::model::{Derived as _, Eight, Equations, EquationsInLanes, Pivots, SceneInfo, SceneRef};
-use crate::scalar::Scalar;
+use crate::scalar::{Lanes, Scalar};
 use std::sync::Arc;
 
 /// What a method needs of a scene in numbers `T`.
@@ -95,35 +96,63 @@ pub(crate) trait Eliminating<T> {
 
 impl<T: Scalar, S: Equations<T> + ?Sized> Eliminating<T> for &S {
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        T::in_widest(
-            #[inline(always)]
-            || Equations::position_constraint(*self, c, t, q, out),
-        );
+        Equations::position_constraint(*self, c, t, q, out);
     }
 
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        T::in_widest(
-            #[inline(always)]
-            || Equations::velocity_constraint(*self, c, t, q, v, out),
-        );
+        Equations::velocity_constraint(*self, c, t, q, v, out);
     }
 
     fn accelerations(&self, c: &[T], t: T, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Pivots {
-        T::in_widest(
-            #[inline(always)]
-            || Equations::accelerations(*self, c, t, q, v, a, lambda),
-        )
+        Equations::accelerations(*self, c, t, q, v, a, lambda)
     }
 
     fn correction(&self, c: &[T], t: T, q: &[T], residual: &[T], delta: &mut [T]) -> Pivots {
-        T::in_widest(
-            #[inline(always)]
-            || Equations::correction(*self, c, t, q, residual, delta),
-        )
+        Equations::correction(*self, c, t, q, residual, delta)
     }
 
     fn state_rates(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
         Equations::state_rates(*self, c, t, q, v, out);
+    }
+}
+
+/// Scenes of one type side by side.
+pub(crate) struct SideBySide<'s, S>(pub &'s S);
+
+impl<const L: usize, S: Equations<f64> + Equations<Lanes<L>>> Eliminating<Lanes<L>> for SideBySide<'_, S> {
+    fn position_constraint(&self, c: &[Lanes<L>], t: Lanes<L>, q: &[Lanes<L>], out: &mut [Lanes<L>]) {
+        kernels::position_constraint(self.0, c, &t, q, out);
+    }
+
+    fn velocity_constraint(&self, c: &[Lanes<L>], t: Lanes<L>, q: &[Lanes<L>], v: &[Lanes<L>], out: &mut [Lanes<L>]) {
+        kernels::velocity_constraint(self.0, c, &t, q, v, out);
+    }
+
+    fn accelerations(
+        &self,
+        c: &[Lanes<L>],
+        t: Lanes<L>,
+        q: &[Lanes<L>],
+        v: &[Lanes<L>],
+        a: &mut [Lanes<L>],
+        lambda: &mut [Lanes<L>],
+    ) -> Pivots {
+        kernels::accelerations(self.0, c, &t, q, v, a, lambda)
+    }
+
+    fn correction(
+        &self,
+        c: &[Lanes<L>],
+        t: Lanes<L>,
+        q: &[Lanes<L>],
+        residual: &[Lanes<L>],
+        delta: &mut [Lanes<L>],
+    ) -> Pivots {
+        kernels::correction(self.0, c, &t, q, residual, delta)
+    }
+
+    fn state_rates(&self, c: &[Lanes<L>], t: Lanes<L>, q: &[Lanes<L>], v: &[Lanes<L>], out: &mut [Lanes<L>]) {
+        kernels::state_rates(self.0, c, &t, q, v, out);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The equations of a scene at eight states at once.
 
 use super::{Equations, Pivots, Powers};
-use crate::scalar::{Lanes, Scalar, in_widest};
+use crate::scalar::{Lanes, Scalar};
 
 /// States that kernels take at once.
 pub const N_LANES: usize = 8;
@@ -43,7 +43,7 @@ pub trait EquationsInLanes: Send + Sync {
     ) -> Pivots;
 }
 
-impl<S: Equations<Eight> + Powers<Eight>> EquationsInLanes for S {
+impl<S: Equations<f64> + Powers<f64> + Equations<Eight> + Powers<Eight>> EquationsInLanes for S {
     fn accelerations_in_lanes(
         &self,
         c: &[Eight],
@@ -53,31 +53,19 @@ impl<S: Equations<Eight> + Powers<Eight>> EquationsInLanes for S {
         a: &mut [Eight],
         lambda: &mut [Eight],
     ) -> Pivots {
-        in_widest(
-            #[inline(always)]
-            || self.accelerations(c, *t, q, v, a, lambda),
-        )
+        kernels::accelerations(self, c, t, q, v, a, lambda)
     }
 
     fn powers_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], v: &[Eight], lambda: &[Eight], out: &mut [Eight]) {
-        in_widest(
-            #[inline(always)]
-            || self.powers(c, *t, q, v, lambda, out),
-        );
+        kernels::powers(self, c, t, q, v, lambda, out);
     }
 
     fn position_constraint_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], out: &mut [Eight]) {
-        in_widest(
-            #[inline(always)]
-            || self.position_constraint(c, *t, q, out),
-        );
+        kernels::position_constraint(self, c, t, q, out);
     }
 
     fn velocity_constraint_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], v: &[Eight], out: &mut [Eight]) {
-        in_widest(
-            #[inline(always)]
-            || self.velocity_constraint(c, *t, q, v, out),
-        );
+        kernels::velocity_constraint(self, c, t, q, v, out);
     }
 
     fn correction_in_lanes(
@@ -88,11 +76,90 @@ impl<S: Equations<Eight> + Powers<Eight>> EquationsInLanes for S {
         residual: &[Eight],
         delta: &mut [Eight],
     ) -> Pivots {
-        in_widest(
-            #[inline(always)]
-            || self.correction(c, *t, q, residual, delta),
-        )
+        kernels::correction(self, c, t, q, residual, delta)
     }
+}
+
+/// Kernels in lanes as a processor has them: compiled for the widest vector registers, or those of `f64` one state after the other, with the same bits for angles up to
+/// 1e6 rad. These allocate.
+pub(crate) mod kernels {
+    use super::one_by_one;
+    use crate::model::{Equations, Pivots, Powers};
+    use crate::scalar::{Lanes, in_widest_or};
+
+    macro_rules! kernels {
+        ($($name:ident of $equations:ident: ($($read:ident),*) -> ($($written:ident),*) $(-> $result:ty)?;)*) => {
+            $(#[expect(clippy::allow_attributes, reason = "some of them have few arguments")]
+            #[allow(clippy::too_many_arguments, reason = "those of the kernel")]
+            pub(crate) fn $name<const L: usize, S: $equations<f64> + $equations<Lanes<L>> + ?Sized>(
+                scene: &S,
+                c: &[Lanes<L>],
+                t: &Lanes<L>,
+                $($read: &[Lanes<L>],)*
+                $($written: &mut [Lanes<L>],)*
+            ) $(-> $result)? {
+                // both closures write, and one is called
+                let written = std::cell::RefCell::new([$($written),*]);
+                in_widest_or(
+                    #[inline(always)]
+                    || {
+                        let [$($written),*] = &mut *written.borrow_mut();
+                        $equations::<Lanes<L>>::$name(scene, c, *t, $($read,)* $($written),*)
+                    },
+                    || one_by_one(
+                        [c, std::slice::from_ref(t), $($read),*],
+                        &mut *written.borrow_mut(),
+                        |[c, t, $($read),*], [$($written),*]| $equations::<f64>::$name(scene, c, t[0], $($read,)* $($written),*),
+                    ),
+                )
+            })*
+        };
+    }
+    kernels!(
+        accelerations of Equations: (q, v) -> (a, lambda) -> Pivots;
+        correction of Equations: (q, residual) -> (delta) -> Pivots;
+        position_constraint of Equations: (q) -> (out);
+        velocity_constraint of Equations: (q, v) -> (out);
+        state_rates of Equations: (q, v) -> (out);
+        powers of Powers: (q, v, lambda) -> (out);
+    );
+}
+
+/// What a kernel returns for several states.
+pub(crate) trait OfEach {
+    fn and(self, other: Self) -> Self;
+}
+
+impl OfEach for () {
+    fn and(self, (): Self) {}
+}
+
+impl OfEach for Pivots {
+    fn and(self, other: Self) -> Self {
+        self.and(other)
+    }
+}
+
+/// What `f` writes and returns for each state by itself.
+pub(crate) fn one_by_one<const L: usize, const R: usize, const W: usize, P: OfEach>(
+    read: [&[Lanes<L>]; R],
+    written: &mut [&mut [Lanes<L>]; W],
+    mut f: impl FnMut([&[f64]; R], [&mut [f64]; W]) -> P,
+) -> P {
+    let mut of_read = read.map(|lanes| vec![0.0; lanes.len()]);
+    let mut of_written = written.each_ref().map(|lanes| vec![0.0; lanes.len()]);
+    let mut of_lane = |lane: usize| {
+        for (one, lanes) in of_read.iter_mut().zip(read) {
+            one.iter_mut().zip(lanes).for_each(|(one, lanes)| *one = lanes.0[lane]);
+        }
+        let found = f(of_read.each_ref().map(|one| &one[..]), of_written.each_mut().map(|one| &mut one[..]));
+        for (one, lanes) in of_written.iter().zip(&mut *written) {
+            one.iter().zip(&mut **lanes).for_each(|(one, lanes)| lanes.0[lane] = *one);
+        }
+        found
+    };
+    let first = of_lane(0);
+    (1..L).fold(first, |found, lane| found.and(of_lane(lane)))
 }
 
 /// A matrix, by columns, times the eight values of a number.
@@ -118,4 +185,74 @@ pub(crate) fn largest_change(one: &[Eight], other: &[Eight], weights: &[f64]) ->
         }
     }
     largest.magnitude()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::system_of;
+    use crate::linalg::Backend;
+    use crate::machine::narrow::on_narrow_processor;
+    use crate::model::{Derived as _, Scene};
+
+    crate::model! {
+        /// Eight bodies in a row, whose elimination is written in parts.
+        model Row {
+            body b1 { mass: 1, inertia: 1 }
+            body b2 { mass: 2, inertia: 1 }
+            body b3 { mass: 3, inertia: 1 }
+            body b4 { mass: 4, inertia: 1 }
+            body b5 { mass: 5, inertia: 1 }
+            body b6 { mass: 6, inertia: 1 }
+            body b7 { mass: 7, inertia: 1 }
+            body b8 { mass: 8, inertia: 1 }
+            hinge h1: b1(1, 0) ~ b2(-1, 0.1);
+            hinge h2: b2(1, 0) ~ b3(-1, 0.1);
+            hinge h3: b3(1, 0) ~ b4(-1, 0.1);
+            hinge h4: b4(1, 0) ~ b5(-1, 0.1);
+            hinge h5: b5(1, 0) ~ b6(-1, 0.1);
+            hinge h6: b6(1, 0) ~ b7(-1, 0.1);
+            hinge h7: b7(1, 0) ~ b8(-1, 0.1);
+            effect push {
+                force at b1(0, 0): ((3 N) * cos(t / (1 s)), (-1 N/m) * b1.y);
+            }
+            start bent { b1 at (0, 0) angle 0; b2 angle 0.3; b3 angle 0.1; b4 angle -0.4; b5 angle 0; b6 angle 0.2; b7 angle 0.5; b8 angle 1; at rest; }
+            scene slides { start bent; until 1 s; with push; }
+        }
+    }
+
+    /// Numbers that differ from lane to lane.
+    fn moved(x: &[f64]) -> Vec<Eight> {
+        let of_lane = |i: usize, lane: usize| ((3 * i + 5 * lane) as f64).sin();
+        x.iter().enumerate().map(|(i, x)| Lanes(std::array::from_fn(|lane| x + of_lane(i, lane)))).collect()
+    }
+
+    /// Kernels of one state after the other are those in lanes.
+    #[test]
+    fn invariant_kernels_on_a_narrow_processor_have_the_same_bits() {
+        let scene = row::Slides::default();
+        let system = system_of(&scene as &dyn Scene, Backend::Auto).unwrap();
+        let info = scene.info();
+        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let kernels = scene.in_lanes().unwrap();
+        let c: Vec<Eight> = system.fixed().iter().map(|&c| Eight::from_f64(c)).collect();
+        let [q, v] = [system.scene_start().q, vec![0.0; n_q]].map(|x| moved(&x));
+        let (t, residual) = (moved(&[1.0])[0], moved(&vec![0.0; n_c]));
+        let computed = || {
+            let zeros = |n: usize| vec![Eight::from_f64(0.0); n];
+            let [mut of_positions, mut of_velocities, mut power] = [info.n_position_rows, n_c, 1].map(zeros);
+            let [mut a, mut lambda, mut delta] = [n_q, n_c, n_q].map(zeros);
+            kernels.position_constraint_in_lanes(&c, &t, &q, &mut of_positions);
+            kernels.velocity_constraint_in_lanes(&c, &t, &q, &v, &mut of_velocities);
+            let pivots = [
+                kernels.accelerations_in_lanes(&c, &t, &q, &v, &mut a, &mut lambda),
+                kernels.correction_in_lanes(&c, &t, &q, &residual, &mut delta),
+            ];
+            kernels.powers_in_lanes(&c, &t, &q, &v, &lambda, &mut power);
+            let found = [of_positions, of_velocities, a, lambda, delta, power].concat();
+            assert!(found.iter().all(|x| x.0.iter().all(|x| x.is_finite() && *x != 0.0)));
+            (pivots.map(|pivots| (pivots.all_keep(), pivots.smallest())), found)
+        };
+        assert_eq!(computed(), on_narrow_processor(computed));
+    }
 }

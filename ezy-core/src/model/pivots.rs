@@ -44,6 +44,12 @@ impl Pivots {
         }
     }
 
+    /// Of two eliminations.
+    pub(crate) const fn and(self, other: Self) -> Self {
+        let smallest = if other.smallest < self.smallest { other.smallest } else { self.smallest };
+        Self { vanished: self.vanished | other.vanished, smallest }
+    }
+
     /// No pivot vanished.
     #[inline(always)]
     pub const fn all_keep(self) -> bool {

@@ -1,8 +1,10 @@
 //! Equations of motion in quasi-velocities.
 
-use super::in_lanes::{largest_change, times};
+use super::in_lanes::{largest_change, one_by_one, times};
 use super::{Eight, Formula, N_LANES, Operations};
-use crate::scalar::{Scalar, in_widest};
+use crate::scalar::{Scalar, in_widest_or};
+use std::cell::RefCell;
+use std::slice::from_ref;
 
 /// The equations of motion in quasi-velocities u, of which there are as many as degrees of freedom at velocity level: v = R(q) u + v_t obeys all rows, and
 /// `Rᵀ M R u̇ = Rᵀ (F − M (Ṙ u + v̇_t))` has no multipliers. Velocities that no row gives, along and across the axes of bodies.
@@ -126,16 +128,24 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocitie
     }
 
     fn velocities_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], u: &[Eight], v: &mut [Eight]) {
-        in_widest(
+        let v = RefCell::new([v]);
+        in_widest_or(
             #[inline(always)]
-            || self.velocities(c, *t, q, u, v),
+            || self.velocities(c, *t, q, u, v.borrow_mut()[0]),
+            || velocities_one_by_one(self, c, t, q, u, &mut v.borrow_mut()),
         );
     }
 
     fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]) {
-        in_widest(
+        let of_time = RefCell::new([of_time]);
+        in_widest_or(
             #[inline(always)]
-            || self.values_of_time(c, *t, of_time),
+            || self.values_of_time(c, *t, of_time.borrow_mut()[0]),
+            || {
+                one_by_one([c, from_ref(t)], &mut of_time.borrow_mut(), |[c, t], [of_time]| {
+                    self.values_of_time(c, t[0], of_time);
+                });
+            },
         );
     }
 
@@ -147,36 +157,88 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocitie
         at: Nodes<'_>,
         goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
     ) {
-        in_widest(
+        let made = RefCell::new((at, goes_on));
+        in_widest_or(
             #[inline(always)]
             || {
-                let n_u = <S as QuasiVelocities<Eight>>::N_QUASI;
-                let n = n_u + <S as QuasiVelocities<Eight>>::FEEDBACK.len();
-                let Nodes { values, slopes, before, q, v } = at;
-                let (first, weights, values) = (&start.values[..n], &weights[..n], &mut values[..n]);
-                let mut goes_on_from_here = true;
-                loop {
-                    for i in 0..n {
-                        values[i] = of.integral(&slopes[i], first[i]);
-                    }
-                    let (u, of_feedback) = values.split_at(n_u);
-                    for (&i, value) in <S as QuasiVelocities<Eight>>::FEEDBACK.iter().zip(of_feedback) {
-                        q[i] = *value;
-                    }
-                    for &(i, k) in <S as QuasiVelocities<Eight>>::INTEGRALS {
-                        q[i] = of.integral(&u[k], start.q[i]);
-                    }
-                    if !goes_on_from_here {
-                        break;
-                    }
-                    std::mem::swap(before, slopes);
-                    let (before, slopes) = (&before[..n], &mut slopes[..n]);
-                    let (a, rate) = slopes.split_at_mut(n_u);
-                    self.quasi_accelerations(of.c, *of.t, q, u, of.of_time, a, rate);
-                    goes_on_from_here = goes_on(largest_change(slopes, before, weights), slopes);
-                }
-                self.velocities(of.c, *of.t, q, &values[..n_u], v);
+                let (at, goes_on) = &mut *made.borrow_mut();
+                let kernels = (
+                    #[inline(always)]
+                    |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight]| {
+                        self.quasi_accelerations(of.c, *of.t, q, u, of.of_time, a, rate);
+                    },
+                    #[inline(always)]
+                    |q: &[Eight], u: &[Eight], v: &mut [Eight]| self.velocities(of.c, *of.t, q, u, v),
+                );
+                sweeps::<S>(of, start, weights, at, *goes_on, kernels);
+            },
+            || {
+                let (at, goes_on) = &mut *made.borrow_mut();
+                let kernels = (
+                    |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight]| {
+                        let read = [of.c, from_ref(of.t), q, u, of.of_time];
+                        one_by_one(read, &mut [a, rate], |[c, t, q, u, of_time], [a, rate]| {
+                            self.quasi_accelerations(c, t[0], q, u, of_time, a, rate);
+                        });
+                    },
+                    |q: &[Eight], u: &[Eight], v: &mut [Eight]| {
+                        velocities_one_by_one(self, of.c, of.t, q, u, &mut [v]);
+                    },
+                );
+                sweeps::<S>(of, start, weights, at, *goes_on, kernels);
             },
         );
     }
+}
+
+fn velocities_one_by_one<S: QuasiVelocities<f64>>(
+    scene: &S,
+    c: &[Eight],
+    t: &Eight,
+    q: &[Eight],
+    u: &[Eight],
+    v: &mut [&mut [Eight]; 1],
+) {
+    one_by_one([c, from_ref(t), q, u], v, |[c, t, q, u], [v]| scene.velocities(c, t[0], q, u, v));
+}
+
+/// [`EquationsInQuasiVelocities::sweeps_in_lanes`], with the kernels for u̇ and rates, and for velocities, at the times of the step.
+#[inline(always)]
+fn sweeps<S: QuasiVelocities<Eight>>(
+    of: Times<'_>,
+    start: Start<'_>,
+    weights: &[f64],
+    at: &mut Nodes<'_>,
+    goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
+    (accelerate, velocities): (
+        impl Fn(&[Eight], &[Eight], &mut [Eight], &mut [Eight]),
+        impl Fn(&[Eight], &[Eight], &mut [Eight]),
+    ),
+) {
+    let n_u = S::N_QUASI;
+    let n = n_u + S::FEEDBACK.len();
+    let Nodes { values, slopes, before, q, v } = at;
+    let (first, weights, values) = (&start.values[..n], &weights[..n], &mut values[..n]);
+    let mut goes_on_from_here = true;
+    loop {
+        for i in 0..n {
+            values[i] = of.integral(&slopes[i], first[i]);
+        }
+        let (u, of_feedback) = values.split_at(n_u);
+        for (&i, value) in S::FEEDBACK.iter().zip(of_feedback) {
+            q[i] = *value;
+        }
+        for &(i, k) in S::INTEGRALS {
+            q[i] = of.integral(&u[k], start.q[i]);
+        }
+        if !goes_on_from_here {
+            break;
+        }
+        std::mem::swap(*before, *slopes);
+        let (before, slopes) = (&before[..n], &mut slopes[..n]);
+        let (a, rate) = slopes.split_at_mut(n_u);
+        accelerate(q, u, a, rate);
+        goes_on_from_here = goes_on(largest_change(slopes, before, weights), slopes);
+    }
+    velocities(q, &values[..n_u], v);
 }

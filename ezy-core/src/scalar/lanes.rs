@@ -9,7 +9,7 @@ mod sin_cos;
 #[cfg(test)]
 mod tests;
 
-use super::{Scalar, in_widest};
+use super::{Scalar, in_widest, part_in_widest};
 use std::ops::Neg;
 
 /// `L` numbers that go through the same operations, one a trajectory; 4 and 8 fill vector registers.
@@ -17,7 +17,8 @@ use std::ops::Neg;
 /// Each lane has the result that `f64` alone would have, but for sine and cosine: those are computed in lanes, to 1 unit in
 /// the last place, and may differ from the system's in that.
 ///
-/// Vector registers of four or eight numbers need `-C target-cpu=x86-64-v3` or better.
+/// Vector registers of four or eight numbers need `-C target-cpu=x86-64-v3` or better, or a caller that asks the processor, as
+/// [`Ensemble`](crate::simulate::Ensemble) does. On an x86-64 processor without AVX2 no other caller can compute a kernel of more than some 400 operations in lanes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
 pub struct Lanes<const L: usize>(pub [f64; L]);
@@ -111,6 +112,11 @@ impl<const L: usize> Scalar for Lanes<L> {
     #[inline(always)]
     fn in_widest<R>(f: impl FnOnce() -> R) -> R {
         in_widest(f)
+    }
+
+    #[inline(always)]
+    fn in_part<R>(f: impl FnOnce() -> R) -> R {
+        part_in_widest(f)
     }
 
     #[inline(always)]

@@ -142,7 +142,7 @@ impl Writer<'_> {
                 inside.extend(quote!(passed[#i] = #name;));
                 self.passed.insert(id, i);
             }
-            statements.extend(quote!((|| { #inside })();));
+            statements.extend(self.numbers.part(&inside));
         }
         self.names.clear();
         statements

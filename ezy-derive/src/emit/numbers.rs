@@ -42,6 +42,14 @@ impl Numbers {
         }
     }
 
+    /// A part of a long kernel, a function of its own, which the compiler optimises by itself.
+    pub fn part(self, statements: &TokenStream) -> TokenStream {
+        match self {
+            Self::F64 => quote!((|| { #statements })();),
+            Self::Any => quote!(T::in_part(#[inline(always)] || { #statements });),
+        }
+    }
+
     /// A call of a function of the model language.
     pub fn call(self, function: Function, arguments: &[TokenStream]) -> TokenStream {
         let ident = |segment: &str| Ident::new(segment, Span::call_site());

@@ -196,6 +196,7 @@ mod tests {
     use crate::integrate::gauss::{Collocated, Gauss};
     use crate::integrate::{Node, Tolerance};
     use crate::linalg::Backend;
+    use crate::machine::narrow::on_narrow_processor;
     use crate::model::Scene;
 
     crate::model! {
@@ -317,6 +318,15 @@ mod tests {
         assert_close(&of_rows, &of_these, 10.0 * TOLERANCE.absolute);
         // once, at the end of the sweeps
         assert!(n_these == 1 && n_rows > 5, "{n_these} {n_rows}");
+    }
+
+    #[test]
+    fn invariant_steps_on_a_narrow_processor_have_the_same_bits() {
+        for in_quasi_velocities in [false, true] {
+            let [wide, narrow] =
+                [end(0.1, 0.0, in_quasi_velocities), on_narrow_processor(|| end(0.1, 0.0, in_quasi_velocities))];
+            assert_eq!(wide, narrow);
+        }
     }
 
     /// The front wheel at the hinge says nothing of how the bar turns.

@@ -83,4 +83,5 @@ fn computed() -> [u64; 8] {
 #[test]
 fn invariant_wide_registers_give_the_same_bits() {
     assert_eq!(in_widest(computed), computed());
+    assert_eq!(Lanes::<8>::in_part(computed), computed());
 }

@@ -106,7 +106,30 @@ pub trait Powers<T: Scalar>: Send + Sync {
     fn powers(&self, c: &[T], t: T, q: &[T], v: &[T], lambda: &[T], out: &mut [T]);
 }
 
-/// Equations and Taylor series of a scene in numbers of twice the length of `f64`, as one trait object.
-pub trait PreciseScene: Equations<DoubleDouble> + Series<DoubleDouble> {}
+/// Declares [`PreciseScene`], whose methods are those of [`Equations`] by the same names.
+macro_rules! precise_scene {
+    ($($name:ident($($read:ident: $kind:ty),*; $written:ident) $(-> $result:ty)?;)*) => {
+        /// A scene in numbers of twice the length of `f64`, as one trait object: its Taylor series, and of [`Equations`] what a motion of such numbers
+        /// and its checks ask for, since each kernel is compiled for each scene.
+        pub trait PreciseScene: Series<DoubleDouble> {
+            $(#[doc = concat!("[`Equations::", stringify!($name), "`].")]
+            fn $name(&self, $($read: $kind,)* $written: &mut [DoubleDouble]) $(-> $result)?;)*
+        }
 
-impl<S: Equations<DoubleDouble> + Series<DoubleDouble>> PreciseScene for S {}
+        impl<S: Equations<DoubleDouble> + Series<DoubleDouble>> PreciseScene for S {
+            $(fn $name(&self, $($read: $kind,)* $written: &mut [DoubleDouble]) $(-> $result)? {
+                Equations::$name(self, $($read,)* $written)
+            })*
+        }
+    };
+}
+precise_scene!(
+    constants(parameters: &[DoubleDouble]; c);
+    mass_matrix(c: &[DoubleDouble]; m);
+    position_constraint(c: &[DoubleDouble], t: DoubleDouble, q: &[DoubleDouble]; out);
+    velocity_constraint(c: &[DoubleDouble], t: DoubleDouble, q: &[DoubleDouble], v: &[DoubleDouble]; out);
+    velocity_jacobian(c: &[DoubleDouble], t: DoubleDouble, q: &[DoubleDouble]; out);
+    convective_term(c: &[DoubleDouble], t: DoubleDouble, q: &[DoubleDouble], v: &[DoubleDouble]; out);
+    applied_force(c: &[DoubleDouble], t: DoubleDouble, q: &[DoubleDouble], v: &[DoubleDouble]; out);
+    correction(c: &[DoubleDouble], t: DoubleDouble, q: &[DoubleDouble], residual: &[DoubleDouble]; delta) -> Pivots;
+);

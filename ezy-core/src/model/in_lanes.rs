@@ -83,7 +83,6 @@ impl<S: Equations<f64> + Powers<f64> + Equations<Eight> + Powers<Eight>> Equatio
 /// Kernels in lanes as a processor has them: compiled for the widest vector registers, or those of `f64` one state after the other, with the same bits for angles up to
 /// 1e6 rad. These allocate.
 pub(crate) mod kernels {
-    use super::one_by_one;
     use crate::model::{Equations, Pivots, Powers};
     use crate::scalar::{Lanes, in_widest_or};
 
@@ -91,7 +90,7 @@ pub(crate) mod kernels {
         ($($name:ident of $equations:ident: ($($read:ident),*) -> ($($written:ident),*) $(-> $result:ty)?;)*) => {
             $(#[expect(clippy::allow_attributes, reason = "some of them have few arguments")]
             #[allow(clippy::too_many_arguments, reason = "those of the kernel")]
-            pub(crate) fn $name<const L: usize, S: $equations<f64> + $equations<Lanes<L>> + ?Sized>(
+            pub(crate) fn $name<const L: usize, S: $equations<f64> + $equations<Lanes<L>>>(
                 scene: &S,
                 c: &[Lanes<L>],
                 t: &Lanes<L>,
@@ -106,14 +105,31 @@ pub(crate) mod kernels {
                         let [$($written),*] = &mut *written.borrow_mut();
                         $equations::<Lanes<L>>::$name(scene, c, *t, $($read,)* $($written),*)
                     },
-                    || one_by_one(
-                        [c, std::slice::from_ref(t), $($read),*],
-                        &mut *written.borrow_mut(),
-                        |[c, t, $($read),*], [$($written),*]| $equations::<f64>::$name(scene, c, t[0], $($read,)* $($written),*),
-                    ),
+                    || one_by_one::$name(scene, c, t, $($read,)* &mut *written.borrow_mut()),
                 )
             })*
+
+            /// The same for any scene: of what few processors need there is one.
+            mod one_by_one {
+                use super::super::one_by_one;
+                use super::{Equations, Lanes, Pivots, Powers};
+
+                $(#[cold]
+                pub(super) fn $name<const L: usize>(
+                    scene: &dyn $equations<f64>,
+                    c: &[Lanes<L>],
+                    t: &Lanes<L>,
+                    $($read: &[Lanes<L>],)*
+                    written: &mut [&mut [Lanes<L>]; kernels!(count $($written)*)],
+                ) $(-> $result)? {
+                    one_by_one([c, std::slice::from_ref(t), $($read),*], written, |[c, t, $($read),*], [$($written),*]| {
+                        scene.$name(c, t[0], $($read,)* $($written),*)
+                    })
+                })*
+            }
         };
+        (count $one:ident) => { 1 };
+        (count $one:ident $two:ident) => { 2 };
     }
     kernels!(
         accelerations of Equations: (q, v) -> (a, lambda) -> Pivots;

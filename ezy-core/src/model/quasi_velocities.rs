@@ -128,23 +128,26 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocitie
     }
 
     fn velocities_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], u: &[Eight], v: &mut [Eight]) {
-        let v = RefCell::new([v]);
+        let v = RefCell::new(v);
         in_widest_or(
             #[inline(always)]
-            || self.velocities(c, *t, q, u, v.borrow_mut()[0]),
-            || velocities_one_by_one(self, c, t, q, u, &mut v.borrow_mut()),
+            || self.velocities(c, *t, q, u, *v.borrow_mut()),
+            || velocities_one_by_one(&|c, t, q, u, v| self.velocities(c, t, q, u, v), c, t, q, u, *v.borrow_mut()),
         );
     }
 
     fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]) {
-        let of_time = RefCell::new([of_time]);
+        let of_time = RefCell::new(of_time);
         in_widest_or(
             #[inline(always)]
-            || self.values_of_time(c, *t, of_time.borrow_mut()[0]),
+            || self.values_of_time(c, *t, *of_time.borrow_mut()),
             || {
-                one_by_one([c, from_ref(t)], &mut of_time.borrow_mut(), |[c, t], [of_time]| {
-                    self.values_of_time(c, t[0], of_time);
-                });
+                values_of_time_one_by_one(
+                    &|c, t, of_time| self.values_of_time(c, t, of_time),
+                    c,
+                    t,
+                    *of_time.borrow_mut(),
+                )
             },
         );
     }
@@ -170,53 +173,56 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight>> EquationsInQuasiVelocitie
                     #[inline(always)]
                     |q: &[Eight], u: &[Eight], v: &mut [Eight]| self.velocities(of.c, *of.t, q, u, v),
                 );
-                sweeps::<S>(of, start, weights, at, *goes_on, kernels);
+                sweeps(of, start, weights, at, *goes_on, Shape::of::<S>(), kernels);
             },
             || {
                 let (at, goes_on) = &mut *made.borrow_mut();
-                let kernels = (
-                    |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight]| {
-                        let read = [of.c, from_ref(of.t), q, u, of.of_time];
-                        one_by_one(read, &mut [a, rate], |[c, t, q, u, of_time], [a, rate]| {
-                            self.quasi_accelerations(c, t[0], q, u, of_time, a, rate);
-                        });
-                    },
-                    |q: &[Eight], u: &[Eight], v: &mut [Eight]| {
-                        velocities_one_by_one(self, of.c, of.t, q, u, &mut [v]);
-                    },
+                sweeps_one_by_one(
+                    of,
+                    start,
+                    weights,
+                    at,
+                    *goes_on,
+                    Shape::of::<S>(),
+                    &|c, t, q, u, of_time, a, rate| self.quasi_accelerations(c, t, q, u, of_time, a, rate),
+                    &|c, t, q, u, v| self.velocities(c, t, q, u, v),
                 );
-                sweeps::<S>(of, start, weights, at, *goes_on, kernels);
             },
         );
     }
 }
 
-fn velocities_one_by_one<S: QuasiVelocities<f64>>(
-    scene: &S,
-    c: &[Eight],
-    t: &Eight,
-    q: &[Eight],
-    u: &[Eight],
-    v: &mut [&mut [Eight]; 1],
-) {
-    one_by_one([c, from_ref(t), q, u], v, |[c, t, q, u], [v]| scene.velocities(c, t[0], q, u, v));
+/// Which numbers a sweep integrates: n_u, [`QuasiVelocities::FEEDBACK`] and [`QuasiVelocities::INTEGRALS`].
+#[derive(Clone, Copy)]
+struct Shape {
+    n_u: usize,
+    feedback: &'static [usize],
+    integrals: &'static [(usize, usize)],
+}
+
+impl Shape {
+    /// Constants, where a loop over them is to be written out.
+    #[inline(always)]
+    const fn of<S: QuasiVelocities<Eight>>() -> Self {
+        Self { n_u: S::N_QUASI, feedback: S::FEEDBACK, integrals: S::INTEGRALS }
+    }
 }
 
 /// [`EquationsInQuasiVelocities::sweeps_in_lanes`], with the kernels for u̇ and rates, and for velocities, at the times of the step.
 #[inline(always)]
-fn sweeps<S: QuasiVelocities<Eight>>(
+fn sweeps(
     of: Times<'_>,
     start: Start<'_>,
     weights: &[f64],
     at: &mut Nodes<'_>,
     goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
+    Shape { n_u, feedback, integrals }: Shape,
     (accelerate, velocities): (
         impl Fn(&[Eight], &[Eight], &mut [Eight], &mut [Eight]),
         impl Fn(&[Eight], &[Eight], &mut [Eight]),
     ),
 ) {
-    let n_u = S::N_QUASI;
-    let n = n_u + S::FEEDBACK.len();
+    let n = n_u + feedback.len();
     let Nodes { values, slopes, before, q, v } = at;
     let (first, weights, values) = (&start.values[..n], &weights[..n], &mut values[..n]);
     let mut goes_on_from_here = true;
@@ -225,10 +231,10 @@ fn sweeps<S: QuasiVelocities<Eight>>(
             values[i] = of.integral(&slopes[i], first[i]);
         }
         let (u, of_feedback) = values.split_at(n_u);
-        for (&i, value) in S::FEEDBACK.iter().zip(of_feedback) {
+        for (&i, value) in feedback.iter().zip(of_feedback) {
             q[i] = *value;
         }
-        for &(i, k) in S::INTEGRALS {
+        for &(i, k) in integrals {
             q[i] = of.integral(&u[k], start.q[i]);
         }
         if !goes_on_from_here {
@@ -241,4 +247,48 @@ fn sweeps<S: QuasiVelocities<Eight>>(
         goes_on_from_here = goes_on(largest_change(slopes, before, weights), slopes);
     }
     velocities(q, &values[..n_u], v);
+}
+
+// What few processors need is there once for all scenes, whose kernels for one state are called.
+
+/// [`QuasiVelocities::velocities`].
+type Velocities<'s> = &'s dyn Fn(&[f64], f64, &[f64], &[f64], &mut [f64]);
+/// [`QuasiVelocities::quasi_accelerations`].
+type Accelerations<'s> = &'s dyn Fn(&[f64], f64, &[f64], &[f64], &[f64], &mut [f64], &mut [f64]);
+
+/// [`QuasiVelocities::values_of_time`].
+type ValuesOfTime<'s> = &'s dyn Fn(&[f64], f64, &mut [f64]);
+
+#[cold]
+fn velocities_one_by_one(of: Velocities<'_>, c: &[Eight], t: &Eight, q: &[Eight], u: &[Eight], v: &mut [Eight]) {
+    one_by_one([c, from_ref(t), q, u], &mut [v], |[c, t, q, u], [v]| of(c, t[0], q, u, v));
+}
+
+#[cold]
+fn values_of_time_one_by_one(of: ValuesOfTime<'_>, c: &[Eight], t: &Eight, of_time: &mut [Eight]) {
+    one_by_one([c, from_ref(t)], &mut [of_time], |[c, t], [of_time]| of(c, t[0], of_time));
+}
+
+#[cold]
+#[expect(clippy::too_many_arguments, reason = "those of `sweeps`")]
+fn sweeps_one_by_one(
+    of: Times<'_>,
+    start: Start<'_>,
+    weights: &[f64],
+    at: &mut Nodes<'_>,
+    goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
+    shape: Shape,
+    accelerations: Accelerations<'_>,
+    velocities_of: Velocities<'_>,
+) {
+    let kernels = (
+        |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight]| {
+            let read = [of.c, from_ref(of.t), q, u, of.of_time];
+            one_by_one(read, &mut [a, rate], |[c, t, q, u, of_time], [a, rate]| {
+                accelerations(c, t[0], q, u, of_time, a, rate);
+            });
+        },
+        |q: &[Eight], u: &[Eight], v: &mut [Eight]| velocities_one_by_one(velocities_of, of.c, of.t, q, u, v),
+    );
+    sweeps(of, start, weights, at, goes_on, shape, kernels);
 }

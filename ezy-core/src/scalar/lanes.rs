@@ -5,6 +5,25 @@
     reason = "counted loops become vector instructions, iterators of this length do not"
 )]
 
+/// `$step` for each of `L` lanes `$i`. Eight are written out, without a loop and without a call: a kernel has hundreds of operations, and the compiler tidies up what each of them begins as.
+macro_rules! each {
+    ($i:ident: $step:expr) => {{
+        if L == 8 {
+            each!($i: $step; 0, 1, 2, 3, 4, 5, 6, 7);
+        } else {
+            for $i in 0..L {
+                $step;
+            }
+        }
+    }};
+    ($i:ident: $step:expr; $($lane:literal),*) => {
+        $({
+            let $i = $lane;
+            $step;
+        })*
+    };
+}
+
 mod sin_cos;
 #[cfg(test)]
 mod tests;
@@ -43,23 +62,11 @@ impl<const L: usize> Lanes<L> {
         x[0]
     }
 
-    /// Eight lanes are written out: a kernel has hundreds of operations, and as many loops take an eighth longer to compile.
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        let (mut x, y) = (self.0, other.0);
-        if L == 8 {
-            x[0] = f(x[0], y[0]);
-            x[1] = f(x[1], y[1]);
-            x[2] = f(x[2], y[2]);
-            x[3] = f(x[3], y[3]);
-            x[4] = f(x[4], y[4]);
-            x[5] = f(x[5], y[5]);
-            x[6] = f(x[6], y[6]);
-            x[7] = f(x[7], y[7]);
-        } else {
-            for i in 0..L {
-                x[i] = f(x[i], y[i]);
-            }
+        let mut x = self.0;
+        for i in 0..L {
+            x[i] = f(x[i], other.0[i]);
         }
         Self(x)
     }
@@ -70,17 +77,29 @@ pub(crate) fn packed<const L: usize>(runs: [&[f64]; L]) -> Vec<Lanes<L>> {
     (0..runs[0].len()).map(|i| Lanes(runs.map(|run| run[i]))).collect()
 }
 
-operator!([const L: usize] Lanes<L>, Add::add, inline(always), |a, b| a.zip(b, f64::add));
-operator!([const L: usize] Lanes<L>, Sub::sub, inline(always), |a, b| a.zip(b, f64::sub));
-operator!([const L: usize] Lanes<L>, Mul::mul, inline(always), |a, b| a.zip(b, f64::mul));
-operator!([const L: usize] Lanes<L>, Div::div, inline(always), |a, b| a.zip(b, f64::div));
+/// An operator, in each lane that of `f64`.
+macro_rules! in_lanes {
+    ($operator:ident::$method:ident, $with:tt) => {
+        operator!([const L: usize] Lanes<L>, $operator::$method, inline(always), |a, b| {
+            let mut x = a.0;
+            each!(i: x[i] $with b.0[i]);
+            Self(x)
+        });
+    };
+}
+in_lanes!(Add::add, +=);
+in_lanes!(Sub::sub, -=);
+in_lanes!(Mul::mul, *=);
+in_lanes!(Div::div, /=);
 
 impl<const L: usize> Neg for Lanes<L> {
     type Output = Self;
 
     #[inline(always)]
     fn neg(self) -> Self {
-        self.map(f64::neg)
+        let mut x = self.0;
+        each!(i: x[i] = -x[i]);
+        Self(x)
     }
 }
 
@@ -121,11 +140,11 @@ impl<const L: usize> Scalar for Lanes<L> {
 
     #[inline(always)]
     fn fused(self, factor: Self, summand: Self) -> Self {
-        let mut out = self.0;
+        let mut x = self.0;
         for i in 0..L {
-            out[i] = out[i].fused(factor.0[i], summand.0[i]);
+            x[i] = x[i].fused(factor.0[i], summand.0[i]);
         }
-        Self(out)
+        Self(x)
     }
 
     #[inline(always)]

@@ -211,11 +211,17 @@ impl Signature {
             quote!(#name: &mut [#number])
         });
         let (inline, other, result) = match self.writes {
-            // part of loops that are compiled for several instruction sets
-            Writes::Solution(_) if self.quantity == Quantity::Accelerations => {
+            // what is taken in lanes is compiled for the widest registers where it is inlined
+            Writes::Solution(_) if matches!(self.quantity, Quantity::Accelerations | Quantity::Correction) => {
                 (quote!(#[inline(always)]), None, quote!(-> ezy::Pivots))
             }
-            Writes::Vectors(_) if matches!(self.of, Trait::QuasiVelocities | Trait::Powers) => {
+            Writes::Vectors(_)
+                if matches!(self.of, Trait::QuasiVelocities | Trait::Powers)
+                    || matches!(
+                        self.quantity,
+                        Quantity::PositionConstraint | Quantity::VelocityConstraint | Quantity::StateRates
+                    ) =>
+            {
                 (quote!(#[inline(always)]), None, quote!())
             }
             Writes::Solution(_) => (quote!(#[inline]), None, quote!(-> ezy::Pivots)),

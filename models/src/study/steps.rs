@@ -204,18 +204,25 @@ fn right_endpoint_sum(motion: &Motion<'_>) -> Result<Vec<f64>, StudyError> {
 fn right_endpoint_gap(driven: &dyn Scene, step_s: f64) -> Result<f64, StudyError> {
     let info = driven.info();
     let (seat, bar) = (coordinate_index(&info, "seat.phi")?, coordinate_index(&info, "bar.phi")?);
-    let system = System::new(driven, Backend::Auto)?;
+    let fixed = System::new(driven, Backend::Auto)?.fixed().to_vec();
     let mut force = vec![0.0; info.n_coordinates()];
-    let mut stepper = Simulation::new(driven).method(Method::rk4(step_s)).project(Projection::None).stepper()?;
-    let turn = |q: &[f64]| q[seat] - q[bar];
-    let mut turned = turn(&stepper.state().q);
-    let mut sum = 0.0;
-    for _ in 0..(info.until_s / step_s).round() as u64 {
-        stepper.step(1)?;
-        let State { t, q, v, .. } = stepper.state();
-        driven.applied_force(system.fixed(), *t, q, v, &mut force);
-        sum += force[seat] * (turn(q) - turned);
-        turned = turn(q);
-    }
-    Ok((stepper.energy().kinetic - sum).abs())
+    let (mut turned, mut sum) = (None, 0.0);
+    let mut add = |t: f64, q: &[f64], v: &[f64]| {
+        let turn = q[seat] - q[bar];
+        driven.applied_force(&fixed, t, q, v, &mut force);
+        sum += turned.map_or(0.0, |turned| force[seat] * (turn - turned));
+        turned = Some(turn);
+        sum
+    };
+    // what is called at the start of each step sees the end of the one before
+    let run = Simulation::new(driven)
+        .method(Method::rk4(step_s))
+        .project(Projection::None)
+        .every(info.until_s)
+        .control_by_index(|t, State { q, v, .. }, _| {
+            add(t, q, v);
+        })
+        .run()?;
+    let end = run.last();
+    Ok((end.energy.kinetic - add(end.t, end.coordinates, end.velocities)).abs())
 }

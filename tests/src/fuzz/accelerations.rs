@@ -28,6 +28,36 @@ const SMALLEST: f64 = f64::EPSILON * f64::MIN_POSITIVE;
 /// Roundings of the state that are tried, each with other signs.
 const N_ROUNDINGS: usize = 3;
 
+/// K and r at a state, computed in 31 digits; none of a scene without that arithmetic.
+pub fn exact_equations(
+    system: &System<&(dyn Scene + '_)>,
+    t: f64,
+    q: &[f64],
+    v: &[f64],
+) -> Option<(Vec<Vec<DoubleDouble>>, Vec<DoubleDouble>)> {
+    let wide = |x: &[f64]| x.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
+    let zeros = |n: usize| wide(&vec![0.0; n]);
+    let (scene, info) = (system.scene().precise()?, system.info());
+    let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+    let (mut c, t, q, v) = (wide(system.fixed()), DoubleDouble::from_f64(t), wide(q), wide(v));
+    scene.constants(&wide(&system.scene().parameters()), &mut c);
+    let (mut mass, mut entries) = (zeros(n_q), zeros(info.jacobian.n_nonzeros()));
+    let mut right = zeros(n_q + n_c);
+    let (force, rows) = right.split_at_mut(n_q);
+    scene.mass_matrix(&c, &mut mass);
+    scene.velocity_jacobian(&c, t, &q, &mut entries);
+    scene.applied_force(&c, t, &q, &v, force);
+    scene.convective_term(&c, t, &q, &v, rows);
+    rows.iter_mut().for_each(|h| *h = -*h);
+    let mut matrix = vec![zeros(n_q + n_c); n_q + n_c];
+    mass.iter().enumerate().for_each(|(i, m)| matrix[i][i] = *m);
+    for (k, row, column) in info.jacobian.entries() {
+        matrix[n_q + row][column] = matrix[n_q + row][column] + entries[k];
+        matrix[column][n_q + row] = matrix[column][n_q + row] + entries[k];
+    }
+    Some((matrix, right))
+}
+
 /// K and r at a state, in the numbers that the scene computes itself.
 struct Equations {
     matrix: Vec<Vec<f64>>,
@@ -65,28 +95,9 @@ impl Equations {
     /// What rounding of its terms changes in each number: the difference from the same in 31 digits. An extreme lever along its rod is a
     /// number of the size of one that is the difference of large ones. None of a scene without that arithmetic.
     fn off(&self, system: &System<&(dyn Scene + '_)>, state: &State) -> Option<Self> {
-        let wide = |x: &[f64]| x.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
-        let zeros = |n: usize| wide(&vec![0.0; n]);
-        let (scene, info) = (system.scene().precise()?, system.info());
-        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
-        let (mut c, t, q, v) = (wide(system.fixed()), DoubleDouble::from_f64(state.t), wide(&state.q), wide(&state.v));
-        scene.constants(&wide(&system.scene().parameters()), &mut c);
-        let (mut mass, mut entries) = (zeros(n_q), zeros(info.jacobian.n_nonzeros()));
-        let (mut force, mut rows) = (zeros(n_q), zeros(n_c));
-        scene.mass_matrix(&c, &mut mass);
-        scene.velocity_jacobian(&c, t, &q, &mut entries);
-        scene.applied_force(&c, t, &q, &v, &mut force);
-        scene.convective_term(&c, t, &q, &v, &mut rows);
-        let mut exact = vec![zeros(n_q + n_c); n_q + n_c];
-        mass.iter().enumerate().for_each(|(i, m)| exact[i][i] = *m);
-        for (k, row, column) in info.jacobian.entries() {
-            exact[n_q + row][column] = exact[n_q + row][column] + entries[k];
-            exact[column][n_q + row] = exact[column][n_q + row] + entries[k];
-        }
+        let (exact, right) = exact_equations(system, state.t, &state.q, &state.v)?;
         let off = |(x, exact): (&f64, &DoubleDouble)| (*exact - DoubleDouble::from_f64(*x)).high();
         let matrix = self.matrix.iter().zip(&exact).map(|(x, exact)| x.iter().zip(exact).map(off).collect()).collect();
-        let zero = DoubleDouble::from_f64(0.0);
-        let right: Vec<DoubleDouble> = force.into_iter().chain(rows.into_iter().map(|h| zero - h)).collect();
         Some(Self { matrix, right: self.right.iter().zip(&right).map(off).collect() })
     }
 

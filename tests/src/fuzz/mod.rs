@@ -11,5 +11,7 @@ mod parameters;
 mod reference;
 mod tally;
 
+pub use accelerations::exact_equations;
+pub use oracle::Oracle;
 pub use parameters::{Scenes, compare, trial};
 pub use tally::{Tally, Verdict};

@@ -19,10 +19,12 @@ pub struct Oracle {
 
 impl Oracle {
     /// Factors a symmetric matrix; `None` where a number overflows or is none.
-    pub fn new(matrix: &[Vec<f64>]) -> Option<Self> {
-        let scale = scales(matrix)?;
+    pub fn new<T: Copy + Into<DoubleDouble>>(matrix: &[Vec<T>]) -> Option<Self> {
+        let matrix: Vec<Vec<DoubleDouble>> =
+            matrix.iter().map(|row| row.iter().map(|x| (*x).into()).collect()).collect();
+        let scale = scales(&matrix)?;
         let n = matrix.len();
-        let scaled = |i: usize, j: usize| DoubleDouble::from(matrix[i][j] * scale[i] * scale[j]);
+        let scaled = |i: usize, j: usize| matrix[i][j] * DoubleDouble::from(scale[i]) * DoubleDouble::from(scale[j]);
         let mut factors: Vec<Vec<DoubleDouble>> = (0..n).map(|i| (0..n).map(|j| scaled(i, j)).collect()).collect();
         let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());
         let mut is_regular = true;
@@ -59,9 +61,10 @@ impl Oracle {
     }
 
     /// x with K x = r; of a regular matrix.
-    pub fn solve(&self, r: &[f64]) -> Vec<f64> {
+    pub fn solve<T: Copy + Into<DoubleDouble>>(&self, r: &[T]) -> Vec<f64> {
         let n = r.len();
-        let mut x: Vec<DoubleDouble> = self.rows.iter().map(|&i| DoubleDouble::from(r[i] * self.scale[i])).collect();
+        let scaled = |i: usize| r[i].into() * DoubleDouble::from(self.scale[i]);
+        let mut x: Vec<DoubleDouble> = self.rows.iter().map(|&i| scaled(i)).collect();
         for i in 0..n {
             for j in 0..i {
                 x[i] = x[i] - self.factors[i][j] * x[j];
@@ -99,16 +102,16 @@ impl Oracle {
 }
 
 /// Powers of two that bring the largest entry of every row and column near one (Ruiz 2001).
-fn scales(matrix: &[Vec<f64>]) -> Option<Vec<f64>> {
+fn scales(matrix: &[Vec<DoubleDouble>]) -> Option<Vec<f64>> {
     const PASSES: usize = 8;
     let mut scale = vec![1.0_f64; matrix.len()];
     for _ in 0..PASSES {
         let largest: Vec<f64> = matrix
             .iter()
             .enumerate()
-            .map(|(i, row)| row.iter().zip(&scale).fold(0.0, |m: f64, (x, s)| m.max((x * s * scale[i]).abs())))
+            .map(|(i, row)| row.iter().zip(&scale).fold(0.0, |m: f64, (x, s)| m.max((x.high() * s * scale[i]).abs())))
             .collect();
-        if matrix.iter().flatten().chain(&largest).any(|x| !x.is_finite()) {
+        if matrix.iter().flatten().map(|x| x.high()).chain(largest.iter().copied()).any(|x| !x.is_finite()) {
             return None;
         }
         for (scale, largest) in scale.iter_mut().zip(&largest) {

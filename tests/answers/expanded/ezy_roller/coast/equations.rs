@@ -159,6 +159,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         out[4usize] = m2;
         out[5usize] = i2;
     }
+    #[inline(always)]
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
         let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
@@ -186,6 +187,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
             T::fused(b, sin_seat_phi, seat_y) - bar_y,
         );
     }
+    #[inline(always)]
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
         let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
@@ -441,7 +443,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
             .see(&[3usize], T::least_ratio(k37, k54))
             .see(&[0usize, 1usize], T::least_ratio(pivot_B_x_B_y, k57))
     }
-    #[inline]
+    #[inline(always)]
     fn correction(
         &self,
         c: &[T],

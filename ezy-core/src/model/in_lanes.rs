@@ -109,7 +109,7 @@ pub(crate) mod kernels {
                 )
             })*
 
-            /// The same for any scene: of what few processors need there is one.
+            /// For processors without these registers, compiled once, not for each scene.
             mod one_by_one {
                 use super::super::one_by_one;
                 use super::{Equations, Lanes, Pivots, Powers};

@@ -201,7 +201,7 @@ struct Shape {
 }
 
 impl Shape {
-    /// Constants, where a loop over them is to be written out.
+    /// As constants where sweeps are inlined, so that their loops are unrolled.
     #[inline(always)]
     const fn of<S: QuasiVelocities<Eight>>() -> Self {
         Self { n_u: S::N_QUASI, feedback: S::FEEDBACK, integrals: S::INTEGRALS }
@@ -249,13 +249,12 @@ fn sweeps(
     velocities(q, &values[..n_u], v);
 }
 
-// What few processors need is there once for all scenes, whose kernels for one state are called.
+// Processors without the widest registers call the kernels of a scene for one state after the other. What calls them is compiled once, not for each scene.
 
 /// [`QuasiVelocities::velocities`].
 type Velocities<'s> = &'s dyn Fn(&[f64], f64, &[f64], &[f64], &mut [f64]);
 /// [`QuasiVelocities::quasi_accelerations`].
 type Accelerations<'s> = &'s dyn Fn(&[f64], f64, &[f64], &[f64], &[f64], &mut [f64], &mut [f64]);
-
 /// [`QuasiVelocities::values_of_time`].
 type ValuesOfTime<'s> = &'s dyn Fn(&[f64], f64, &mut [f64]);
 

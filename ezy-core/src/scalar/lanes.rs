@@ -5,7 +5,8 @@
     reason = "counted loops become vector instructions, iterators of this length do not"
 )]
 
-/// `$step` for each of `L` lanes `$i`. Eight are written out, without a loop and without a call: a kernel has hundreds of operations, and the compiler tidies up what each of them begins as.
+/// `$step` for each of `L` lanes `$i`. Eight are written out, without a loop and without calls: a kernel has hundreds of operations, and the compiler would have to remove
+/// these from each.
 macro_rules! each {
     ($i:ident: $step:expr) => {{
         if L == 8 {

@@ -12,7 +12,8 @@ pub use crate::model::in_lanes::EquationsInLanes;
 pub use crate::model::named_bodies::BodyReader;
 pub use crate::model::named_outputs::OutputReader;
 pub use crate::model::pivots::{PIVOT_TOLERANCE, Pivots};
-pub use crate::model::quasi_velocities::EquationsInQuasiVelocities;
+pub use crate::model::quasi_in_lanes::EquationsInQuasiVelocities;
+pub use crate::model::quasi_velocities::QuasiShape;
 pub use crate::model::repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use crate::model::series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
 #[cfg(feature = "analysis")]

@@ -22,6 +22,7 @@ mod named;
 pub(crate) mod named_bodies;
 pub(crate) mod named_outputs;
 pub(crate) mod pivots;
+pub(crate) mod quasi_in_lanes;
 pub(crate) mod quasi_velocities;
 pub(crate) mod repeats;
 mod scene_info;
@@ -46,7 +47,7 @@ pub use named_outputs::{OutputArray, Vector};
 #[cfg(feature = "sparse")]
 pub(crate) use pivots::PIVOT_TOLERANCE;
 pub(crate) use pivots::Pivots;
-pub(crate) use quasi_velocities::EquationsInQuasiVelocities;
+pub(crate) use quasi_in_lanes::EquationsInQuasiVelocities;
 pub use quasi_velocities::{QuasiVelocities, QuasiVelocitiesInfo};
 pub(crate) use repeats::Repeats;
 pub use repeats::{CountInfo, LayoutFault, TemplateInfo};

@@ -26,8 +26,7 @@ const PLAIN_LU: &str = "accelerations/plain LU of a 10 x 10 (nalgebra)";
 fn main() {
     accelerations();
     driven_run();
-    lanes::<4>();
-    lanes::<8>();
+    lanes();
     chains();
 }
 
@@ -107,7 +106,8 @@ fn driven_run() {
 }
 
 /// Runs of the driven roller with other torques, one after the other and together in lanes.
-fn lanes<const L: usize>() {
+fn lanes() {
+    const L: usize = 8;
     let scenes: [ezy_roller::Driven; L] =
         std::array::from_fn(|i| ezy_roller::Driven { m0: 2.0 + 0.01 * i as f64, ..Default::default() });
     let starts = scenes.each_ref().map(|scene| {

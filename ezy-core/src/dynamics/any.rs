@@ -4,9 +4,8 @@ use super::geometry::Geometry;
 use super::tolerances::projection::{MAX_PASSES, PASSES_TO_ROUNDING};
 use super::{MotionError, Rows, System};
 use crate::model::body_kind;
-use crate::model::in_lanes::kernels;
 use crate::model::{Derived as _, Eight, Equations, EquationsInLanes, Pivots, SceneInfo, SceneRef};
-use crate::scalar::{Lanes, Scalar};
+use crate::scalar::Scalar;
 use std::sync::Arc;
 
 /// What a method needs of a scene in numbers `T`.
@@ -116,47 +115,7 @@ impl<T: Scalar, S: Equations<T> + ?Sized> Eliminating<T> for &S {
     }
 }
 
-/// Scenes of one type side by side.
-pub(crate) struct SideBySide<'s, S>(pub &'s S);
-
-impl<const L: usize, S: Equations<f64> + Equations<Lanes<L>>> Eliminating<Lanes<L>> for SideBySide<'_, S> {
-    fn position_constraint(&self, c: &[Lanes<L>], t: Lanes<L>, q: &[Lanes<L>], out: &mut [Lanes<L>]) {
-        kernels::position_constraint(self.0, c, &t, q, out);
-    }
-
-    fn velocity_constraint(&self, c: &[Lanes<L>], t: Lanes<L>, q: &[Lanes<L>], v: &[Lanes<L>], out: &mut [Lanes<L>]) {
-        kernels::velocity_constraint(self.0, c, &t, q, v, out);
-    }
-
-    fn accelerations(
-        &self,
-        c: &[Lanes<L>],
-        t: Lanes<L>,
-        q: &[Lanes<L>],
-        v: &[Lanes<L>],
-        a: &mut [Lanes<L>],
-        lambda: &mut [Lanes<L>],
-    ) -> Pivots {
-        kernels::accelerations(self.0, c, &t, q, v, a, lambda)
-    }
-
-    fn correction(
-        &self,
-        c: &[Lanes<L>],
-        t: Lanes<L>,
-        q: &[Lanes<L>],
-        residual: &[Lanes<L>],
-        delta: &mut [Lanes<L>],
-    ) -> Pivots {
-        kernels::correction(self.0, c, &t, q, residual, delta)
-    }
-
-    fn state_rates(&self, c: &[Lanes<L>], t: Lanes<L>, q: &[Lanes<L>], v: &[Lanes<L>], out: &mut [Lanes<L>]) {
-        kernels::state_rates(self.0, c, &t, q, v, out);
-    }
-}
-
-/// A scene that knows its kernels in lanes, and whose type need not be known. It has no first-order states.
+/// A scene that knows its kernels in lanes, and whose type need not be known.
 pub(crate) struct InLanes<P>(pub P);
 
 impl<P: SceneRef> InLanes<P> {
@@ -190,7 +149,9 @@ impl<P: SceneRef> Eliminating<Eight> for InLanes<P> {
         self.kernels().correction_in_lanes(c, &t, q, residual, delta)
     }
 
-    fn state_rates(&self, _c: &[Eight], _t: Eight, _q: &[Eight], _v: &[Eight], _out: &mut [Eight]) {}
+    fn state_rates(&self, c: &[Eight], t: Eight, q: &[Eight], v: &[Eight], out: &mut [Eight]) {
+        self.kernels().state_rates_in_lanes(c, &t, q, v, out);
+    }
 }
 
 /// A scene in numbers `T`, solved by its generated elimination; it integrates no works.

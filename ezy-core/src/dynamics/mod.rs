@@ -43,7 +43,7 @@ mod tolerances;
 mod with_derivatives;
 mod worst;
 
-pub(crate) use any::{Dynamics, InLanes, Projecting, SideBySide, SystemOf};
+pub(crate) use any::{Dynamics, InLanes, Projecting, SystemOf};
 pub(crate) use configuration::Configuration;
 pub(crate) use eight_states::EightStates;
 pub use error::{MotionError, StartError, SystemError};

@@ -20,7 +20,7 @@ mod taylor;
 mod tolerances;
 
 pub(crate) use discontinuities::{EventDiscontinuities, Smooth};
-pub(crate) use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER};
+pub(crate) use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER, InQuasiVelocities};
 pub(crate) use family::Sizes;
 pub use family::{MethodInfo, Needs};
 pub(crate) use hermite::Node;

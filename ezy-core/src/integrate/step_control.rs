@@ -1,7 +1,9 @@
 //! The lengths of steps: fixed, or from the error of the last one.
 
 use crate::archive::Archive;
+use crate::dynamics::MotionError;
 use crate::integrate::tolerances::step_control::{BETA, GROW, LEAST_ERROR, REST, SAFETY, SHRINK};
+use crate::model::SceneInfo;
 use crate::model::coordinate::is_angle;
 use crate::scalar::Scalar;
 
@@ -51,8 +53,22 @@ impl Tolerance {
         self.angle.map_or(self.relative, |angle| self.relative.min(angle / largest))
     }
 
+    /// That doubles near angles of coordinates `q` at `t` are no farther apart than the tolerance of angles.
+    ///
+    /// # Errors
+    /// [`MotionError::AngleUnresolved`].
+    pub(crate) fn check_angles<T: Scalar>(&self, info: &SceneInfo, t: f64, q: &[T]) -> Result<(), MotionError> {
+        match self.unresolved(q).zip(self.angle) {
+            None => Ok(()),
+            Some(((i, spacing), tolerance)) => {
+                let (name, angle) = (info.coordinates.item(i).name, q[i].magnitude());
+                Err(MotionError::AngleUnresolved { t, name, angle, spacing, tolerance })
+            }
+        }
+    }
+
     /// The first of the coordinates `q` that is an angle so large that doubles near it are farther apart than its tolerance, and how far.
-    pub(crate) fn unresolved<T: Scalar>(&self, q: &[T]) -> Option<(usize, f64)> {
+    fn unresolved<T: Scalar>(&self, q: &[T]) -> Option<(usize, f64)> {
         let tolerated = self.angle?;
         let spacings =
             q.iter().enumerate().filter(|(i, _)| is_angle(*i)).map(|(i, x)| (i, f64::EPSILON * x.magnitude()));

@@ -216,6 +216,15 @@ pub(crate) mod dop853 {
     pub(crate) const ROUNDING: f64 = 1e-11;
 }
 
+/// Quasi-velocities.
+pub(crate) mod quasi_velocities {
+    /// Quasi-velocities give back the velocities that they are taken from up to the rounding of some ten operations over the smallest pivot: a length, such
+    /// as that from a hinge to an axle, which may be a thousandth of the others.
+    /// Unit: share of the fastest velocity.
+    /// Test: `invariant_steps_from_velocities_off_the_rows_are_those_of_rows`.
+    pub(crate) const SAME: f64 = 1e-12;
+}
+
 /// Sweeps and lengths of steps of collocation.
 pub(crate) mod gauss {
     /// Sweeps end where the next one would change a velocity by less than this part of its tolerance.
@@ -249,12 +258,6 @@ pub(crate) mod gauss {
     /// Unit: share of the largest force.
     /// Test: `cross_gauss_samples_of_slow_wheels_keep_to_the_tolerance`.
     pub(crate) const TURNED_WITHIN: f64 = 0.5;
-
-    /// Quasi-velocities give back the velocities that they are taken from up to the rounding of some ten operations over the smallest pivot: a length, such
-    /// as that from a hinge to an axle, which may be a thousandth of the others.
-    /// Unit: share of the fastest velocity.
-    /// Test: `invariant_steps_from_velocities_off_the_rows_are_those_of_rows`.
-    pub(crate) const SAME_VELOCITIES: f64 = 1e-12;
 
     /// Sweeps of this rate do not converge.
     /// Unit: 1.

@@ -41,6 +41,9 @@ pub trait EquationsInLanes: Send + Sync {
         residual: &[Eight],
         delta: &mut [Eight],
     ) -> Pivots;
+
+    /// [`Equations::state_rates`].
+    fn state_rates_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], v: &[Eight], out: &mut [Eight]);
 }
 
 impl<S: Equations<f64> + Powers<f64> + Equations<Eight> + Powers<Eight>> EquationsInLanes for S {
@@ -78,11 +81,16 @@ impl<S: Equations<f64> + Powers<f64> + Equations<Eight> + Powers<Eight>> Equatio
     ) -> Pivots {
         kernels::correction(self, c, t, q, residual, delta)
     }
+
+    fn state_rates_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], v: &[Eight], out: &mut [Eight]) {
+        kernels::state_rates(self, c, t, q, v, out);
+    }
 }
 
 /// Kernels in lanes as a processor has them: compiled for the widest vector registers, or those of `f64` one state after the other, with the same bits for angles up to
 /// 1e6 rad. These allocate.
 pub(crate) mod kernels {
+    use crate::model::quasi_velocities::QuasiVelocities;
     use crate::model::{Equations, Pivots, Powers};
     use crate::scalar::{Lanes, in_widest_or};
 
@@ -112,7 +120,7 @@ pub(crate) mod kernels {
             /// For processors without these registers, compiled once, not for each scene.
             mod one_by_one {
                 use super::super::one_by_one;
-                use super::{Equations, Lanes, Pivots, Powers};
+                use super::{Equations, Lanes, Pivots, Powers, QuasiVelocities};
 
                 $(#[cold]
                 pub(super) fn $name<const L: usize>(
@@ -138,6 +146,9 @@ pub(crate) mod kernels {
         velocity_constraint of Equations: (q, v) -> (out);
         state_rates of Equations: (q, v) -> (out);
         powers of Powers: (q, v, lambda) -> (out);
+        velocities of QuasiVelocities: (q, u) -> (v);
+        values_of_time of QuasiVelocities: () -> (of_time);
+        whole_state of QuasiVelocities: (q, u) -> (out, v);
     );
 }
 

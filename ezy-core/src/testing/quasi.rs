@@ -6,7 +6,7 @@ use super::solvers::{is_redundant_anywhere, is_regular, solve_motion};
 use super::{Check, CheckError};
 use crate::dynamics::max_abs;
 use crate::linalg::Backend;
-use crate::model::quasi_velocities::{EquationsInQuasiVelocities, Nodes, Start, Times};
+use crate::model::quasi_in_lanes::{AtStage, EquationsInQuasiVelocities, Nodes, Stages, Start, Times};
 use crate::model::{Eight, N_LANES, QuasiVelocitiesInfo, Scene};
 use crate::scalar::Scalar;
 
@@ -39,6 +39,12 @@ pub(super) fn against_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Ve
         residual.iter().for_each(|residual| of_rows.compare(*residual, 0.0, size));
         equations.quasi_velocities_of(&probe.fixed, q, &v, &mut same);
         same.iter().zip(u).for_each(|(same, u)| of_rows.compare(*same, *u, size));
+        let (whole_q, whole_v) = in_lanes.whole_state(*t, q, u);
+        let (mut of_positions, at) = (vec![0.0; probe.info.n_position_rows], max_abs(&whole_q).max(1.0));
+        probe.scene.position_constraint(&probe.fixed, *t, &whole_q, &mut of_positions);
+        of_positions.iter().for_each(|residual| of_rows.compare(*residual, 0.0, at));
+        probe.scene.velocity_constraint(&probe.fixed, *t, &whole_q, &whole_v, &mut residual);
+        residual.iter().for_each(|residual| of_rows.compare(*residual, 0.0, max_abs(&whole_v)));
 
         let state = RandomState { t: *t, q: q.clone(), v: v.clone() };
         if !is_regular(&mut system, &state) {
@@ -49,6 +55,11 @@ pub(super) fn against_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Ve
         let (a, rates) = in_lanes.accelerations(*t, q, u, &info);
         rates.iter().zip(info.feedback).for_each(|(rate, &i)| of_rows.compare(*rate, v[i], size));
         info.integrals.iter().for_each(|&(i, k)| of_rows.compare(u[k], v[i], size));
+        let of_stage = in_lanes.stage(*t, q, u, &info);
+        let (of_stage, stage_rates) = of_stage.split_at(n_u);
+        stage_rates.iter().zip(info.integrated).for_each(|(rate, &i)| of_rows.compare(*rate, v[i], size));
+        let largest = max_abs(&a);
+        of_stage.iter().zip(&a).for_each(|(of_stage, a)| of_rows.compare(*of_stage, *a, largest));
         let difference = slope(n_q, |e, out| {
             in_lanes.velocities(t + e, &probe.moved(q, e, &v), &along(u, e, &a), out);
         });
@@ -79,6 +90,25 @@ impl InLanes<'_> {
         let mut out = vec![Eight::from_f64(0.0); v.len()];
         self.equations.velocities_in_lanes(&self.fixed, &Eight::from_f64(t), &eights(q), &eights(u), &mut out);
         v.iter_mut().zip(out).for_each(|(v, out)| *v = out.0[0]);
+    }
+
+    /// Coordinates that obey the position constraints, and velocities there.
+    fn whole_state(&self, t: f64, q: &[f64], u: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let (mut of_q, mut v) = (eights(q), eights(q));
+        let t = Eight::from_f64(t);
+        self.equations.whole_state_in_lanes(&self.fixed, &t, &eights(q), &eights(u), &mut of_q, &mut v);
+        let first = |of: Vec<Eight>| of.into_iter().map(|of| of.0[0]).collect();
+        (first(of_q), first(v))
+    }
+
+    /// u̇ and the rates of what is integrated, at the first stage of a step.
+    fn stage(&self, t: f64, q: &[f64], u: &[f64], info: &QuasiVelocitiesInfo) -> Vec<f64> {
+        let start: Vec<f64> = u.iter().copied().chain(info.integrated.iter().map(|&i| q[i])).collect();
+        let start = eights(&start);
+        let (mut values, mut slopes, mut at) = (start.clone(), start.clone(), eights(q));
+        let of = Stages { c: &self.fixed, t, h: 0.0, nodes: &[0.0], weights: &[&[]], first: 0, end: 1 };
+        self.equations.stages_in_lanes(of, &start, AtStage { values: &mut values, q: &mut at }, &mut slopes);
+        slopes.into_iter().map(|slope| slope.0[0]).collect()
     }
 
     /// u̇, and the rates of coordinates.

@@ -61,6 +61,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
         let formulas = quasi.values.iter().map(|&value| formula_of(names, value));
         let feedback = &quasi.feedback;
         let integrals = quasi.integrals.iter().map(|(i, k)| quote!((#i, #k)));
+        let (integrated, n_read) = (&quasi.integrated, quasi.n_read);
         let n_of_time = quasi.time_symbols.len();
         let operations = operations(count_of(Quantity::QuasiAccelerations));
         quote! {
@@ -68,6 +69,8 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
                 formulas: &[#(#formulas),*],
                 feedback: &[#(#feedback),*],
                 integrals: &[#(#integrals),*],
+                integrated: &[#(#integrated),*],
+                n_read: #n_read,
                 n_of_time: #n_of_time,
                 operations: #operations,
             }

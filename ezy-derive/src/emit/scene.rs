@@ -44,8 +44,12 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
         let lengths = quasi_lengths(of);
         quote! {
             #[automatically_derived]
-            impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for #type_name {
+            impl ezy::QuasiShape for #type_name {
                 #lengths
+            }
+
+            #[automatically_derived]
+            impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for #type_name {
                 #of_quasi
             }
         }
@@ -232,12 +236,14 @@ fn access_in_lanes() -> TokenStream {
 
 /// How many quasi-velocities there are, and the coordinates that they depend on.
 fn quasi_lengths(of: &QuasiVelocities) -> TokenStream {
-    let (n, feedback) = (of.symbols.len(), &of.feedback);
+    let (n, feedback, integrated, n_read) = (of.symbols.len(), &of.feedback, &of.integrated, of.n_read);
     let integrals = of.integrals.iter().map(|(i, k)| quote!((#i, #k)));
     quote! {
         const N_QUASI: usize = #n;
         const FEEDBACK: &'static [usize] = &[#(#feedback),*];
         const INTEGRALS: &'static [(usize, usize)] = &[#(#integrals),*];
+        const INTEGRATED: &'static [usize] = &[#(#integrated),*];
+        const N_READ: usize = #n_read;
     }
 }
 

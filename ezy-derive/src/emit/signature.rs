@@ -78,7 +78,7 @@ impl Order {
 const OUT: Writes = Writes::Vectors(&["out"]);
 
 /// Every method, in the order in which they are emitted.
-pub const ALL: [Signature; 30] = [
+pub const ALL: [Signature; 32] = [
     any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
     any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
     any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
@@ -110,6 +110,8 @@ pub const ALL: [Signature; 30] = [
         &["t", "q", "quasi", "of_time"],
         Writes::Vectors(&["a", "q_rate"]),
     ),
+    quasi(Quantity::QuasiMotion, "motion", &["t", "q", "quasi"], Writes::Vectors(&["a", "q_rate"])),
+    quasi(Quantity::WholeState, "whole_state", &["t", "q", "quasi"], Writes::Vectors(&["out", "v"])),
     series(Quantity::SeriesBegin, "begin", &["t"], Order::Start),
     series(Quantity::SeriesRightSide, "right_side", &["k"], Order::Present),
     series(Quantity::SeriesSolution, "solve", &["k"], Order::Present),

@@ -28,6 +28,10 @@ pub enum Quantity {
     OfTime,
     /// From coordinates and quasi-velocities, then the rates of the coordinates that they depend on.
     QuasiAccelerations,
+    /// The same with the rates of the coordinates that are integrated.
+    QuasiMotion,
+    /// Coordinates, with those that position constraints give from the others, then velocities, from quasi-velocities.
+    WholeState,
     Power,
     Points,
     Outputs,

@@ -120,7 +120,7 @@ pub fn solutions<'m>(solutions: Solutions) -> impl Iterator<Item = (Quantity, Ke
 }
 
 /// The kernels in quasi-velocities.
-pub fn quasi<'m>(algebra: &Algebra, of: &QuasiVelocities, constants: &mut ConstantPool) -> [(Quantity, Kernel<'m>); 4] {
+pub fn quasi<'m>(algebra: &Algebra, of: &QuasiVelocities, constants: &mut ConstantPool) -> [(Quantity, Kernel<'m>); 6] {
     let values = Lower { algebra, constants }.vector(&of.values);
     let quasi = of.symbols.iter().enumerate().map(|(k, &symbol)| (symbol, Read::QuasiVelocity(k)));
     let of_time = of.time_symbols.iter().enumerate().map(|(k, &symbol)| (symbol, Read::OfTime(k)));
@@ -136,6 +136,8 @@ pub fn quasi<'m>(algebra: &Algebra, of: &QuasiVelocities, constants: &mut Consta
         (Quantity::Velocities, kernel(&of.velocities, usize::MAX)),
         (Quantity::OfTime, kernel(&of.of_time, usize::MAX)),
         (Quantity::QuasiAccelerations, kernel(&of.accelerations, of.symbols.len())),
+        (Quantity::QuasiMotion, kernel(&of.motion, of.symbols.len())),
+        (Quantity::WholeState, kernel(&of.whole_state, of.velocities.outputs().len())),
     ]
 }
 

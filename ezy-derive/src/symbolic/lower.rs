@@ -61,6 +61,18 @@ impl<'a> Lowering<'a> {
         self.bindings.insert(symbol, value);
     }
 
+    pub fn is_bound(&self, symbol: Symbol) -> bool {
+        self.bindings.contains_key(&symbol)
+    }
+
+    /// What a symbol stands for.
+    pub fn symbol(&mut self, symbol: Symbol) -> Value {
+        match self.bindings.get(&symbol) {
+            Some(&value) => value,
+            None => self.program.leaf(Node::Input(symbol)),
+        }
+    }
+
     /// From here on these are sine and cosine of `symbol`, already computed.
     pub fn bind_sines(&mut self, symbol: Symbol, sines: [Value; 2]) {
         self.sines.insert(symbol, sines);
@@ -140,10 +152,7 @@ impl<'a> Lowering<'a> {
 
     fn atom(&mut self, atom: AtomId) -> Value {
         match self.algebra.atom(atom).clone() {
-            Atom::Symbol(symbol) => match self.bindings.get(&symbol) {
-                Some(&value) => value,
-                None => self.program.leaf(Node::Input(symbol)),
-            },
+            Atom::Symbol(symbol) => self.symbol(symbol),
             Atom::Group(sum) => self.lower(sum),
             Atom::Sin(angle) => {
                 if let Some([sin, _]) = self.bound_sines(angle) {

@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod dense;
+mod in_quasi_velocities;
 mod stiffness;
 mod sums;
 mod tableau;
@@ -16,10 +17,11 @@ use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::tolerances::dop853::ROUNDING;
 use crate::model::coordinate::is_angle;
 use crate::scalar::Scalar;
-use sums::{Block, Sum, WIDTH};
-use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, difference_6, error_3, error_5, stages};
+use sums::{Block, Sum, WIDTH, sum};
+use tableau::{DIFFERENCE_6, ERROR_3, ERROR_5, N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, stages};
 
 pub(crate) use adaptive::Adaptive;
+pub(crate) use in_quasi_velocities::{InQuasiVelocities, are_same};
 pub(crate) use stiffness::StiffnessWatch;
 
 /// Order of the error estimate's power of the step.
@@ -157,20 +159,13 @@ impl<T: Scalar> Dop853<T> {
         };
         let (start, rates) = (self.start.as_flattened(), self.slopes[..self.n].as_flattened());
         let (size, rate) = (norm(&start[..n], start), norm(&rates[..n], start));
-        let guess = if size < 1e-10 || rate < 1e-10 { 1e-6 } else { 0.01 * size / rate };
-        let guess = guess.min(longest);
-        self.evaluate_euler(system, from.state.t, guess)?;
-        let (first, second) = self.slopes.split_at(self.n);
-        let slopes = second.as_flattened()[..n].iter().zip(first.as_flattened());
-        let change: Vec<T> = slopes.map(|(&b, &a)| b - a).collect();
-        let bend = norm(&change, self.start.as_flattened()) / guess;
-        let steepest = rate.max(bend);
-        let step = if steepest <= 1e-15 {
-            (1e-3 * guess).max(1e-6)
-        } else {
-            (0.01 / steepest).powf(1.0 / f64::from(ERROR_ORDER))
-        };
-        Ok(step.min(100.0 * guess).min(longest))
+        first_length(longest, size, rate, |guess| {
+            self.evaluate_euler(system, from.state.t, guess)?;
+            let (first, second) = self.slopes.split_at(self.n);
+            let slopes = second.as_flattened()[..n].iter().zip(first.as_flattened());
+            let change: Vec<T> = slopes.map(|(&b, &a)| b - a).collect();
+            Ok(norm(&change, self.start.as_flattened()))
+        })
     }
 
     /// Numbers of y whose errors choose the steps: all but works.
@@ -256,9 +251,9 @@ impl<T: Scalar> Dop853<T> {
     /// Error over tolerance, from both embedded solutions and a divided difference; the largest one for several lanes.
     fn error(&mut self, h: f64, tolerance: Tolerance) -> f64 {
         let [fives, threes, sixes] = &mut self.errors;
-        error_5(&self.slopes, fives);
-        error_3(&self.slopes, threes);
-        difference_6(&self.slopes, sixes);
+        sum(ERROR_5, &self.slopes, fives);
+        sum(ERROR_3, &self.slopes, threes);
+        sum(DIFFERENCE_6, &self.slopes, sixes);
         self.weighted_error(h, tolerance)
     }
 
@@ -308,6 +303,19 @@ impl<T: Scalar> Dop853<T> {
         let norm = ((five + T::from_f64(0.01) * three) * T::from_f64(n as f64)).max(T::from_f64(f64::MIN_POSITIVE));
         (T::from_f64(h.abs()) * five / norm.sqrt()).magnitude()
     }
+}
+
+/// Length of the first step from the size of the numbers and of their slopes over the tolerance, and from what slopes change by along a first guess of it.
+///
+/// # Errors
+/// Those of `change`.
+fn first_length<E>(longest: f64, size: f64, rate: f64, change: impl FnOnce(f64) -> Result<f64, E>) -> Result<f64, E> {
+    let guess = if size < 1e-10 || rate < 1e-10 { 1e-6 } else { 0.01 * size / rate };
+    let guess = guess.min(longest);
+    let steepest = rate.max(change(guess)? / guess);
+    let step =
+        if steepest <= 1e-15 { (1e-3 * guess).max(1e-6) } else { (0.01 / steepest).powf(1.0 / f64::from(ERROR_ORDER)) };
+    Ok(step.min(100.0 * guess).min(longest))
 }
 
 /// Tolerance for a number of this size.

@@ -3,7 +3,7 @@
 //! Source: the program DOP853 of E. Hairer and G. Wanner, 1993 to 2009; Hairer, Nørsett, Wanner, Solving Ordinary
 //! Differential Equations I (1993), II.5 and II.6.
 
-use super::sums::{Block, Sum, sum};
+use super::sums::{Sum, sum};
 use crate::scalar::Scalar;
 
 /// Stages of a step.
@@ -31,213 +31,127 @@ pub(super) const NODES: [f64; N_STAGES_OF_DENSE_OUTPUT] = [
     0.7777777777777778,
 ];
 
-/// Sums with the weights a of each stage from the second on, as (stage, weight), zeros left out; the thirteenth is the step
-/// itself.
+/// Weights of sums over stages, as (stage, weight), zeros left out.
+macro_rules! weights {
+    ($($(#[$documentation:meta])* $name:ident: $weights:expr;)*) => {
+        $($(#[$documentation])*
+        pub(super) const $name: [(usize, f64); $weights.len()] = $weights;)*
+    };
+}
+weights! {
+    STAGE_2: [(0, 0.05260015195876773)];
+    STAGE_3: [(0, 0.0197250569845379), (1, 0.0591751709536137)];
+    STAGE_4: [(0, 0.02958758547680685), (2, 0.08876275643042054)];
+    STAGE_5: [(0, 0.2413651341592667), (2, -0.8845494793282861), (3, 0.924834003261792)];
+    STAGE_6: [(0, 0.037037037037037035), (3, 0.17082860872947386), (4, 0.12546768756682242)];
+    STAGE_7: [(0, 0.037109375), (3, 0.17025221101954405), (4, 0.06021653898045596), (5, -0.017578125)];
+    STAGE_8: [
+        (0, 0.03709200011850479), (3, 0.17038392571223998), (4, 0.10726203044637328), (5, -0.015319437748624402),
+        (6, 0.008273789163814023),
+    ];
+    STAGE_9: [
+        (0, 0.6241109587160757), (3, -3.3608926294469414), (4, -0.868219346841726), (5, 27.59209969944671),
+        (6, 20.154067550477894), (7, -43.48988418106996),
+    ];
+    STAGE_10: [
+        (0, 0.47766253643826434), (3, -2.4881146199716677), (4, -0.590290826836843), (5, 21.230051448181193),
+        (6, 15.279233632882423), (7, -33.28821096898486), (8, -0.020331201708508627),
+    ];
+    STAGE_11: [
+        (0, -0.9371424300859873), (3, 5.186372428844064), (4, 1.0914373489967295), (5, -8.149787010746927),
+        (6, -18.52006565999696), (7, 22.739487099350505), (8, 2.4936055526796523), (9, -3.0467644718982196),
+    ];
+    STAGE_12: [
+        (0, 2.273310147516538), (3, -10.53449546673725), (4, -2.0008720582248625), (5, -17.9589318631188),
+        (6, 27.94888452941996), (7, -2.8589982771350235), (8, -8.87285693353063), (9, 12.360567175794303),
+        (10, 0.6433927460157636),
+    ];
+    /// The step itself.
+    STEP: [
+        (0, 0.054293734116568765), (5, 4.450312892752409), (6, 1.8915178993145003), (7, -5.801203960010585),
+        (8, 0.3111643669578199), (9, -0.1521609496625161), (10, 0.20136540080403034), (11, 0.04471061572777259),
+    ];
+    DENSE_14: [
+        (0, 0.056167502283047954), (6, 0.25350021021662483), (7, -0.2462390374708025), (8, -0.12419142326381637),
+        (9, 0.15329179827876568), (10, 0.00820105229563469), (11, 0.007567897660545699), (12, -0.008298),
+    ];
+    DENSE_15: [
+        (0, 0.03183464816350214), (5, 0.028300909672366776), (6, 0.053541988307438566), (7, -0.05492374857139099),
+        (10, -0.00010834732869724932), (11, 0.0003825710908356584), (12, -0.00034046500868740456),
+        (13, 0.1413124436746325),
+    ];
+    DENSE_16: [
+        (0, -0.42889630158379194), (5, -4.697621415361164), (6, 7.683421196062599), (7, 4.06898981839711),
+        (8, 0.3567271874552811), (12, -0.0013990241651590145), (13, 2.9475147891527724), (14, -9.15095847217987),
+    ];
+    /// The step less its embedded solution of order 3.
+    ERROR_3: [
+        (0, -0.18980075407240762), (5, 4.450312892752409), (6, 1.8915178993145003), (7, -5.801203960010585),
+        (8, -0.42268232132379197), (9, -0.1521609496625161), (10, 0.20136540080403034), (11, 0.022651792198360825),
+    ];
+    /// The step less its embedded solution of order 5.
+    ERROR_5: [
+        (0, 0.01312004499419488), (5, -1.2251564463762044), (6, -0.4957589496572502), (7, 1.6643771824549864),
+        (8, -0.35032884874997366), (9, 0.3341791187130175), (10, 0.08192320648511571), (11, -0.022355307863886294),
+    ];
+    /// Ten times the sixth divided difference of the slopes at the nodes 0, 1/4, 4/13, 1/3, 3/5, 127/195 and 6/7, with weights whose squares add up to
+    /// one: of order 6 where the error of order 5 is of order 5, so that it is smaller wherever the motion is resolved. Where a step is as long as a period of a
+    /// force, the other may vanish by chance (of cos ωt at ωh = 6.09 it is 1/500 of the error of the step), and this one does not.
+    DIFFERENCE_6: [
+        (0, 0.022358123565388573), (5, -6.070328897520148), (6, -1.873522755721526), (7, 7.644785856545327),
+        (8, -0.6370729189530163), (9, 0.889561933835949), (10, 0.024218658248025673),
+    ];
+}
+
+/// Weights a of the stages of a step.
+pub(super) const STAGES: [&[(usize, f64)]; N_STAGES] = [
+    &[],
+    &STAGE_2,
+    &STAGE_3,
+    &STAGE_4,
+    &STAGE_5,
+    &STAGE_6,
+    &STAGE_7,
+    &STAGE_8,
+    &STAGE_9,
+    &STAGE_10,
+    &STAGE_11,
+    &STAGE_12,
+];
+
+/// Weights of the step itself, of its errors of orders 5 and 3, and of the sixth difference, for all stages.
+pub(super) const AT_END: [[f64; N_STAGES]; 4] =
+    [of_all_stages(&STEP), of_all_stages(&ERROR_5), of_all_stages(&ERROR_3), of_all_stages(&DIFFERENCE_6)];
+
+const fn of_all_stages<const N: usize>(weights: &[(usize, f64); N]) -> [f64; N_STAGES] {
+    let mut all = [0.0; N_STAGES];
+    let mut i = 0;
+    while i < N {
+        all[weights[i].0] = weights[i].1;
+        i += 1;
+    }
+    all
+}
+
+/// Sums with the weights of each stage from the second on; the thirteenth is the step itself.
 pub(super) const fn stages<T: Scalar>() -> [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] {
     [
-        |slopes, out| sum([(0, 0.05260015195876773)], slopes, out),
-        |slopes, out| sum([(0, 0.0197250569845379), (1, 0.0591751709536137)], slopes, out),
-        |slopes, out| sum([(0, 0.02958758547680685), (2, 0.08876275643042054)], slopes, out),
-        |slopes, out| sum([(0, 0.2413651341592667), (2, -0.8845494793282861), (3, 0.924834003261792)], slopes, out),
-        |slopes, out| sum([(0, 0.037037037037037035), (3, 0.17082860872947386), (4, 0.12546768756682242)], slopes, out),
-        |slopes, out| {
-            sum([(0, 0.037109375), (3, 0.17025221101954405), (4, 0.06021653898045596), (5, -0.017578125)], slopes, out)
-        },
-        |slopes, out| {
-            sum(
-                [
-                    (0, 0.03709200011850479),
-                    (3, 0.17038392571223998),
-                    (4, 0.10726203044637328),
-                    (5, -0.015319437748624402),
-                    (6, 0.008273789163814023),
-                ],
-                slopes,
-                out,
-            )
-        },
-        |slopes, out| {
-            sum(
-                [
-                    (0, 0.6241109587160757),
-                    (3, -3.3608926294469414),
-                    (4, -0.868219346841726),
-                    (5, 27.59209969944671),
-                    (6, 20.154067550477894),
-                    (7, -43.48988418106996),
-                ],
-                slopes,
-                out,
-            )
-        },
-        |slopes, out| {
-            sum(
-                [
-                    (0, 0.47766253643826434),
-                    (3, -2.4881146199716677),
-                    (4, -0.590290826836843),
-                    (5, 21.230051448181193),
-                    (6, 15.279233632882423),
-                    (7, -33.28821096898486),
-                    (8, -0.020331201708508627),
-                ],
-                slopes,
-                out,
-            )
-        },
-        |slopes, out| {
-            sum(
-                [
-                    (0, -0.9371424300859873),
-                    (3, 5.186372428844064),
-                    (4, 1.0914373489967295),
-                    (5, -8.149787010746927),
-                    (6, -18.52006565999696),
-                    (7, 22.739487099350505),
-                    (8, 2.4936055526796523),
-                    (9, -3.0467644718982196),
-                ],
-                slopes,
-                out,
-            )
-        },
-        |slopes, out| {
-            sum(
-                [
-                    (0, 2.273310147516538),
-                    (3, -10.53449546673725),
-                    (4, -2.0008720582248625),
-                    (5, -17.9589318631188),
-                    (6, 27.94888452941996),
-                    (7, -2.8589982771350235),
-                    (8, -8.87285693353063),
-                    (9, 12.360567175794303),
-                    (10, 0.6433927460157636),
-                ],
-                slopes,
-                out,
-            )
-        },
-        |slopes, out| {
-            sum(
-                [
-                    (0, 0.054293734116568765),
-                    (5, 4.450312892752409),
-                    (6, 1.8915178993145003),
-                    (7, -5.801203960010585),
-                    (8, 0.3111643669578199),
-                    (9, -0.1521609496625161),
-                    (10, 0.20136540080403034),
-                    (11, 0.04471061572777259),
-                ],
-                slopes,
-                out,
-            )
-        },
-        |slopes, out| {
-            sum(
-                [
-                    (0, 0.056167502283047954),
-                    (6, 0.25350021021662483),
-                    (7, -0.2462390374708025),
-                    (8, -0.12419142326381637),
-                    (9, 0.15329179827876568),
-                    (10, 0.00820105229563469),
-                    (11, 0.007567897660545699),
-                    (12, -0.008298),
-                ],
-                slopes,
-                out,
-            )
-        },
-        |slopes, out| {
-            sum(
-                [
-                    (0, 0.03183464816350214),
-                    (5, 0.028300909672366776),
-                    (6, 0.053541988307438566),
-                    (7, -0.05492374857139099),
-                    (10, -0.00010834732869724932),
-                    (11, 0.0003825710908356584),
-                    (12, -0.00034046500868740456),
-                    (13, 0.1413124436746325),
-                ],
-                slopes,
-                out,
-            )
-        },
-        |slopes, out| {
-            sum(
-                [
-                    (0, -0.42889630158379194),
-                    (5, -4.697621415361164),
-                    (6, 7.683421196062599),
-                    (7, 4.06898981839711),
-                    (8, 0.3567271874552811),
-                    (12, -0.0013990241651590145),
-                    (13, 2.9475147891527724),
-                    (14, -9.15095847217987),
-                ],
-                slopes,
-                out,
-            )
-        },
+        |slopes, out| sum(STAGE_2, slopes, out),
+        |slopes, out| sum(STAGE_3, slopes, out),
+        |slopes, out| sum(STAGE_4, slopes, out),
+        |slopes, out| sum(STAGE_5, slopes, out),
+        |slopes, out| sum(STAGE_6, slopes, out),
+        |slopes, out| sum(STAGE_7, slopes, out),
+        |slopes, out| sum(STAGE_8, slopes, out),
+        |slopes, out| sum(STAGE_9, slopes, out),
+        |slopes, out| sum(STAGE_10, slopes, out),
+        |slopes, out| sum(STAGE_11, slopes, out),
+        |slopes, out| sum(STAGE_12, slopes, out),
+        |slopes, out| sum(STEP, slopes, out),
+        |slopes, out| sum(DENSE_14, slopes, out),
+        |slopes, out| sum(DENSE_15, slopes, out),
+        |slopes, out| sum(DENSE_16, slopes, out),
     ]
-}
-
-/// The step less its embedded solution of order 3.
-pub(super) fn error_3<T: Scalar>(slopes: &[Block<T>], out: &mut [Block<T>]) {
-    sum(
-        [
-            (0, -0.18980075407240762),
-            (5, 4.450312892752409),
-            (6, 1.8915178993145003),
-            (7, -5.801203960010585),
-            (8, -0.42268232132379197),
-            (9, -0.1521609496625161),
-            (10, 0.20136540080403034),
-            (11, 0.022651792198360825),
-        ],
-        slopes,
-        out,
-    )
-}
-
-/// The step less its embedded solution of order 5.
-pub(super) fn error_5<T: Scalar>(slopes: &[Block<T>], out: &mut [Block<T>]) {
-    sum(
-        [
-            (0, 0.01312004499419488),
-            (5, -1.2251564463762044),
-            (6, -0.4957589496572502),
-            (7, 1.6643771824549864),
-            (8, -0.35032884874997366),
-            (9, 0.3341791187130175),
-            (10, 0.08192320648511571),
-            (11, -0.022355307863886294),
-        ],
-        slopes,
-        out,
-    )
-}
-
-/// Ten times the sixth divided difference of the slopes at the nodes 0, 1/4, 4/13, 1/3, 3/5, 127/195 and 6/7, with weights whose squares add up to
-/// one: of order 6 where the error of order 5 is of order 5, so that it is smaller wherever the motion is resolved. Where a step is as long as a period of a
-/// force, the other may vanish by chance (of cos ωt at ωh = 6.09 it is 1/500 of the error of the step), and this one does not.
-pub(super) fn difference_6<T: Scalar>(slopes: &[Block<T>], out: &mut [Block<T>]) {
-    sum(
-        [
-            (0, 0.022358123565388573),
-            (5, -6.070328897520148),
-            (6, -1.873522755721526),
-            (7, 7.644785856545327),
-            (8, -0.6370729189530163),
-            (9, 0.889561933835949),
-            (10, 0.024218658248025673),
-        ],
-        slopes,
-        out,
-    )
 }
 
 /// Weights of the four highest coefficients of the dense output.
@@ -302,6 +216,7 @@ pub(super) const DENSE: [&[(usize, f64)]; 4] = [
 
 #[cfg(test)]
 mod tests {
+    use super::super::sums::Block;
     use super::*;
 
     #[test]
@@ -310,7 +225,7 @@ mod tests {
             let slopes: Vec<Block<f64>> =
                 NODES[..N_STAGES].iter().map(|c| [c.powi(k); size_of::<Block<f64>>() / 8]).collect();
             let mut out = vec![slopes[0]; 1];
-            difference_6(&slopes, &mut out);
+            sum(DIFFERENCE_6, &slopes, &mut out);
             out[0][0]
         };
         // weights of up to 8 with terms of one: rounding

@@ -7,9 +7,9 @@ use super::useful_degree;
 use crate::archive::Archive;
 use crate::dynamics::{EightStates, State, System};
 use crate::integrate::Tolerance;
-use crate::integrate::tolerances::gauss::SAME_VELOCITIES;
+use crate::integrate::dop853::are_same;
 use crate::model::coordinate::N_OF_BODY;
-use crate::model::quasi_velocities::{EquationsInQuasiVelocities, Nodes, Start, Times};
+use crate::model::quasi_in_lanes::{EquationsInQuasiVelocities, Nodes, Start, Times};
 use crate::model::{Derived as _, Eight, N_LANES, QuasiVelocitiesInfo, Scene, SceneRef};
 use crate::scalar::Scalar;
 
@@ -117,8 +117,7 @@ impl QuasiSweeps {
             });
             *of_u = changes.fold(0.0, f64::max);
         }
-        let fastest = from.v.iter().fold(0.0, |fastest: f64, v| fastest.max(v.abs()));
-        nodes.v.iter().zip(&from.v).all(|(found, v)| (found.0[SAME] - v).abs() <= SAME_VELOCITIES * fastest)
+        are_same(from.v.iter().copied(), nodes.v.iter().map(|v| v.0[SAME]))
     }
 
     /// Slopes for the first sweep of a step of length `h`: the polynomials of the step before, continued, or the slopes at the start.

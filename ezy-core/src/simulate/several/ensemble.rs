@@ -1,20 +1,17 @@
 //! Several runs of one scene that step together.
 
-use super::trajectory::Trajectory;
-use crate::dynamics::{MotionError, SideBySide, State, System, SystemOf};
+use super::eight_runs::EightRuns;
+use crate::dynamics::{MotionError, State, System};
 use crate::integrate::Method;
 use crate::linalg::Backend;
-use crate::model::{Equations, Scene};
-use crate::scalar::{Lanes, packed};
+use crate::model::{N_LANES, Scene};
 use crate::simulate::SetupError;
-use std::array::from_fn;
-use std::sync::Arc;
 
-/// `L` runs of one scene, 4 or 8, with their own parameters and starts, in lanes: one pass through the equations advances all
-/// of them. Steps are shared; those of `dop853` keep to the tolerance in every run. Positions and velocities are projected
-/// after each step. With `rk4` a run has the numbers that it has by itself, to rounding.
+/// `L` runs of one scene, up to eight, with their own parameters and starts, in lanes: one pass through the equations advances all
+/// of them. Steps are shared; those of `dop853` keep to the tolerance in every run. Positions and velocities obey the rows
+/// behind each step. With `rk4` a run has the numbers that it has by itself, to rounding.
 ///
-/// Eight runs cost little more than two, in the vector registers that the machine has. On an x86-64 processor without AVX2 they are computed one after the other, and allocate.
+/// Fewer than eight runs cost as much as eight, in the vector registers that the machine has; `dop853` takes equations in quasi-velocities where the scene has them. On an x86-64 processor without AVX2 they are computed one after the other, and allocate.
 ///
 /// ```
 /// use ezy_core::prelude::*;
@@ -44,22 +41,23 @@ use std::sync::Arc;
 /// # }
 /// ```
 pub struct Ensemble<'s, S, const L: usize> {
-    trajectory: Trajectory<SystemOf<SideBySide<'s, S>, Lanes<L>>, Lanes<L>>,
+    runs: EightRuns<&'s S>,
 }
 
-impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
-    /// The runs of `scenes` from `starts`, which meet the rows and have one time. Inputs keep their declared values.
+impl<'s, S: Scene, const L: usize> Ensemble<'s, S, L> {
+    /// The runs of `scenes`, at most eight, from `starts`, which meet the rows and have one time. Inputs keep their declared values.
     ///
     /// # Errors
     /// [`SetupError`] when a scene, a start or the method cannot be used: `dop853`, `rk4` and `midpoint` can, on scenes with a generated
     /// elimination.
     pub fn new(scenes: &'s [S; L], starts: [&State; L], method: Method) -> Result<Self, SetupError> {
+        const { assert!(0 < L && L <= N_LANES, "an ensemble has one to eight runs") };
         if let Some(other) = starts.iter().find(|start| start.t != starts[0].t) {
             return Err(SetupError::DifferentTimes { first: starts[0].t, other: other.t });
         }
         let systems = scenes.iter().map(|scene| System::new(scene, Backend::Generated));
         let systems: Vec<System<&S>> = systems.collect::<Result<_, _>>()?;
-        let info = Arc::clone(systems[0].info());
+        let info = systems[0].info();
         if let Some(start) = starts.iter().find(|start| start.z.len() != info.n_states()) {
             return Err(SetupError::StartLength { expected: info.n_states(), found: start.z.len() });
         }
@@ -68,19 +66,7 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         if let Some((found, expected)) = lengths.into_iter().find(|(n, expected)| n != expected) {
             return Err(SetupError::StartLength { expected, found });
         }
-        let fixed = packed(from_fn(|lane| systems[lane].fixed()));
-        let q = packed(from_fn(|lane| &starts[lane].q[..]));
-        let v = packed(from_fn(|lane| &starts[lane].v[..]));
-        let z = packed(from_fn(|lane| &starts[lane].z[..]));
-        let start = State { t: starts[0].t, q, v, z, work: Vec::new() };
-        Ok(Self {
-            trajectory: Trajectory::new(
-                SystemOf::new(SideBySide(&scenes[0]), &systems[0], fixed),
-                info,
-                start,
-                method,
-            )?,
-        })
+        Ok(Self { runs: EightRuns::new(&scenes[0], &systems, &starts, method)? })
     }
 
     /// Steps all runs to `until_s`; nothing happens when they are there already.
@@ -88,18 +74,16 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
     /// # Errors
     /// [`MotionError`] of any run; [`Ensemble::state`] is then the last good state.
     pub fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
-        self.trajectory.advance(until_s)
+        self.runs.advance(until_s)
     }
 
     /// Present time, s.
     pub fn time(&self) -> f64 {
-        self.trajectory.now.t
+        self.runs.time()
     }
 
     /// Where run `lane` is, without works.
     pub fn state(&self, lane: usize) -> State {
-        let of_lane = |x: &[Lanes<L>]| x.iter().map(|x| x.0[lane]).collect();
-        let State { t, q, v, z, .. } = &self.trajectory.now;
-        State { t: *t, q: of_lane(q), v: of_lane(v), z: of_lane(z), work: Vec::new() }
+        self.runs.states()[..L][lane].clone()
     }
 }

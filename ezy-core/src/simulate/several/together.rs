@@ -1,18 +1,16 @@
 //! Runs of one scene with parameters and starts of their own that step together, eight at once; only their ends are known.
 
-use super::trajectory::Trajectory;
-use crate::dynamics::{InLanes, Metric, Projection, Rows, State, System, SystemOf};
+use super::eight_runs::EightRuns;
+use crate::dynamics::{Metric, Projection, Rows, State, System};
 use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::linalg::Backend;
-use crate::model::{AsDynScene as _, Derived as _, Eight, EventKind, N_LANES, Scene, SceneRef};
+use crate::model::{AsDynScene as _, Derived as _, EventKind, N_LANES, Scene, SceneRef};
 use crate::record::Wanted;
-use crate::scalar::packed;
 use crate::simulate::recording::sampler::Sampler;
 use crate::simulate::stepping::snapshot::Snapshot;
 use crate::simulate::tolerances::monitors::ATTEMPTS_OF_A_PACE;
 use crate::simulate::tolerances::singular::TOO_NEAR;
 use crate::simulate::{InputTable, Simulation};
-use std::array::from_fn;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -126,44 +124,35 @@ pub fn run_together(
         system.inputs_mut().copy_from_slice(&run.inputs);
         systems.push(system);
     }
-    // the last run fills what is left
-    let of_run = |lane: usize| lane.min(runs.len() - 1);
-    let fixed = packed(from_fn(|lane| systems[of_run(lane)].fixed()));
-    let q = packed(from_fn(|lane| &runs[of_run(lane)].start.q[..]));
-    let v = packed(from_fn(|lane| &runs[of_run(lane)].start.v[..]));
-    let start = State { t: first.start.t, q, v, z: Vec::new(), work: Vec::new() };
-    let together = SystemOf::new(InLanes(scene), &systems[0], fixed);
-    let mut trajectory =
-        Trajectory::new(together, Arc::clone(&info), start, Method::default().with_tolerance(first.tolerance))
-            .map_err(|_| CANNOT_START)?;
+    let starts: Vec<&State> = runs.iter().map(|run| &run.start).collect();
+    let mut together = EightRuns::new(scene, &systems, &starts, Method::default().with_tolerance(first.tolerance))
+        .map_err(|_| CANNOT_START)?;
     let pivot = |(system, run): (&mut System<&dyn Scene>, &WaitingRun)| {
         system.at_with(run.start.t, &run.start.q, Rows::Held).smallest_pivot()
     };
     let too_near = TOO_NEAR * systems.iter_mut().zip(runs).map(pivot).fold(0.0, f64::max);
     let mut n_steps = 0;
-    while trajectory.now.t < first.until_s {
+    while together.time() < first.until_s {
         let is_over = interrupts.iter().any(|flag| flag.load(Ordering::Relaxed));
         if is_over || n_steps == ATTEMPTS_OF_A_PACE {
             return Err("the eight take very many steps");
         }
-        trajectory.step(first.until_s - trajectory.now.t, first.until_s).map_err(|_| STOPS)?;
-        if trajectory.system.smallest_pivot < too_near {
+        together.step_towards(first.until_s).map_err(|_| STOPS)?;
+        if together.smallest_pivot() < too_near {
             return Err(STOPS);
         }
         n_steps += 1;
     }
-    let now = trajectory.now;
-    let end = |(lane, mut system): (usize, System<&dyn Scene>)| {
-        let mut at = Snapshot::zero(&info, false);
-        let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
-        at.state = State { t: now.t, q: of_lane(&now.q), v: of_lane(&now.v), z: Vec::new(), work: Vec::new() };
+    let end = |(mut system, state): (System<&dyn Scene>, State)| {
+        let (mut at, t) = (Snapshot::zero(&info, false), state.t);
+        at.state = state;
         at.evaluate(&mut system).ok()?;
         let mut sampler = Sampler::new(Arc::clone(&info), Wanted { outputs: true, ..Wanted::default() }, None);
         sampler.keep(&mut system, &at).ok()?;
         let numbers = sampler.record.samples().next()?.numbers().collect();
         let mut points = vec![0.0; 2 * info.points.len()];
-        scene.points(system.fixed(), now.t, &at.state.q, &mut points);
-        Some(EndOfRun { numbers, t: now.t, points, n_steps })
+        scene.points(system.fixed(), t, &at.state.q, &mut points);
+        Some(EndOfRun { numbers, t, points, n_steps })
     };
-    systems.into_iter().enumerate().map(end).collect::<Option<_>>().ok_or(STOPS)
+    systems.into_iter().zip(together.states()).map(end).collect::<Option<_>>().ok_or(STOPS)
 }

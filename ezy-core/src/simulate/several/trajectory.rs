@@ -5,7 +5,6 @@ use crate::integrate::{Clock, Integrator, Method, Node, Sizes, Smooth, Tolerance
 use crate::model::SceneInfo;
 use crate::scalar::Scalar;
 use crate::simulate::SetupError;
-use crate::simulate::stepping::stepper_state::check_angles;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -65,9 +64,7 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
         is_over: &AtomicBool,
     ) -> Result<(), MotionError> {
         let start = self.now.t;
-        if !until_s.is_finite() {
-            return Err(MotionError::NotFinite { t: start, quantity: "the end of the run".into() });
-        }
+        check_end(start, until_s)?;
         let goes_on = || !is_over.load(Ordering::Relaxed);
         if let Some(step_s) = self.method.step_s() {
             let clock = Clock::new(start, until_s, step_s);
@@ -98,8 +95,18 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
             return Err(MotionError::NotFinite { t: now.t, quantity });
         }
         system.project(next.t, &mut next.q, &mut next.v)?;
-        check_angles(info, method.tolerance(), next)?;
+        if let Some(tolerance) = method.tolerance() {
+            tolerance.check_angles(info, next.t, &next.q)?;
+        }
         std::mem::swap(now, next);
         Ok(())
     }
+}
+
+/// That a run from `t` has an end.
+///
+/// # Errors
+/// [`MotionError::NotFinite`].
+pub(in crate::simulate) fn check_end(t: f64, until_s: f64) -> Result<(), MotionError> {
+    if until_s.is_finite() { Ok(()) } else { Err(MotionError::NotFinite { t, quantity: "the end of the run".into() }) }
 }

@@ -8,8 +8,7 @@ use super::step_method::StepMethod;
 use crate::archive::Archive;
 use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, state_not_finite};
 use crate::integrate::{Method, QUARTERED, Tolerance};
-use crate::model::{SceneInfo, SceneRef};
-use crate::scalar::Scalar;
+use crate::model::SceneRef;
 use crate::simulate::SetupError;
 use crate::simulate::tolerances::singular::{MAX_SHORTENED, SHORTENED};
 use std::sync::Arc;
@@ -110,7 +109,8 @@ impl<P: SceneRef> StepperState<P> {
             let error = self.system.diagnosis().locked_up(*t, q, error);
             self.system.diagnosis().without_derivative((*t, q, v), (a, lambda), error)
         })?;
-        check_angles(self.system.info(), self.method.tolerance(), &self.next.state)
+        let Some(tolerance) = self.method.tolerance() else { return Ok(()) };
+        tolerance.check_angles(self.system.info(), self.next.state.t, &self.next.state.q)
     }
 
     /// A step across a singular position, or a part of such a step; false where there is none.
@@ -353,22 +353,6 @@ impl<P: SceneRef> StepperState<P> {
     pub(in crate::simulate) fn accept(&mut self) {
         std::mem::swap(&mut self.now, &mut self.next);
         self.method.integrator.accept();
-    }
-}
-
-/// That no angle is too large for the tolerance of angles.
-pub(in crate::simulate) fn check_angles<T: Scalar>(
-    info: &SceneInfo,
-    tolerance: Option<Tolerance>,
-    state: &State<T>,
-) -> Result<(), MotionError> {
-    let Some(tolerance) = tolerance else { return Ok(()) };
-    match tolerance.unresolved(&state.q).zip(tolerance.angle) {
-        None => Ok(()),
-        Some(((i, spacing), tolerance)) => {
-            let (name, angle) = (info.coordinates.item(i).name, state.q[i].magnitude());
-            Err(MotionError::AngleUnresolved { t: state.t, name, angle, spacing, tolerance })
-        }
     }
 }
 

@@ -7,6 +7,7 @@
 //! # Source
 //! Kane, Levinson, Dynamics (1985), ch. 2 and 6; Hamel (1949), ch. VIII.
 
+mod places;
 mod relations;
 
 use std::collections::BTreeSet;
@@ -47,6 +48,13 @@ pub struct QuasiVelocities {
     pub feedback: Vec<usize>,
     /// Those whose rates are, each with the number of its rate.
     pub integrals: Vec<(usize, usize)>,
+    /// u̇ from t, q and u, then the rates of the coordinates of `integrated`.
+    pub motion: Program,
+    /// The coordinates that are integrated: `n_read` that the motion depends on, then others that no position constraint gives.
+    pub integrated: Vec<usize>,
+    pub n_read: usize,
+    /// Coordinates from t and q, with those that position constraints give from the others, then v there, from u.
+    pub whole_state: Program,
 }
 
 impl QuasiVelocities {
@@ -234,6 +242,8 @@ impl Form {
     ) -> QuasiVelocities {
         let w: Vec<SumId> = self.along.iter().map(|&symbol| equations.algebra.symbol(symbol)).collect();
         let world = world_velocities(equations, &relations.frames, &w);
+        let coordinates: Vec<SumId> =
+            (0..world.len()).map(|i| equations.algebra.symbol(equations.symbols.coordinate_at(i))).collect();
         let values = self.free.iter().map(|&i| along_axis(equations, &relations.frames, i)).collect();
 
         let mut lowering = Lowering::new(&equations.algebra, constants);
@@ -246,24 +256,27 @@ impl Form {
         let mut velocities = lowering.program;
         velocities.settle_signs();
 
-        let read: BTreeSet<usize> = self.coordinates(equations);
-        let mut absolute = BTreeSet::new();
-        for &(_, sum) in self.velocities.iter().chain(&self.named) {
-            angles_turned_by(&equations.algebra, sum, &mut absolute);
+        let mut lowering = Lowering::new(&equations.algebra, constants);
+        for &(i, value) in relations.bodies.iter().flat_map(|placed| &placed.places) {
+            let value = lowering.lower(value);
+            lowering.bind(equations.symbols.coordinate_at(i), value);
         }
-        // rates of places turn velocities
-        let places = read.iter().map(|&i| Coordinate::at(i)).filter(|at| !at.component.is_angle());
-        absolute.extend(places.map(|at| angle(equations, relations.frames[at.body.0])));
+        self.begin(&mut lowering, equations, relations, &all);
+        for &number in coordinates.iter().chain(&world) {
+            let number = lowering.lower(number);
+            lowering.program.push_output(number);
+        }
+        let mut whole_state = lowering.program;
+        whole_state.settle_signs();
+        let given: BTreeSet<usize> =
+            relations.bodies.iter().flat_map(|placed| &placed.places).map(|&(i, _)| i).collect();
+        let (motion, integrated, n_read) = self.motion(equations, relations, &given, &world, constants);
+
+        let read: BTreeSet<usize> = self.coordinates(equations);
+        let absolute = self.angles_of_axes(equations, relations, read.iter().copied());
         let mut lowering = Lowering::new(&equations.algebra, constants);
         self.begin(&mut lowering, equations, relations, &absolute);
-        for &(symbol, sum) in &self.named {
-            let value = lowering.lower(sum);
-            lowering.program.set_name(value, &equations.symbols.code_name(symbol));
-            lowering.bind(symbol, value);
-        }
-        for value in self.solve(&mut lowering) {
-            lowering.program.push_output(value);
-        }
+        self.accelerations(&mut lowering, equations);
         // what velocities and the equations of the rows read is known at the same nodes
         let coordinate = |symbol| equations.symbols.coordinate_of(symbol);
         let read = lowering.program.inputs().into_iter().chain(velocities.inputs()).chain(of_rows.inputs());
@@ -293,7 +306,80 @@ impl Form {
                 n += 1;
                 equations.symbols.new_named(format!("of_time_{n}"))
             });
-        QuasiVelocities { symbols, values, velocities, of_time, time_symbols, accelerations, feedback, integrals }
+        QuasiVelocities {
+            symbols,
+            values,
+            velocities,
+            of_time,
+            time_symbols,
+            accelerations,
+            feedback,
+            integrals,
+            motion,
+            integrated,
+            n_read,
+            whole_state,
+        }
+    }
+
+    /// u̇ and the rates of coordinates, with these: those that anything here depends on, then others that are not given.
+    fn motion(
+        &self,
+        equations: &mut Equations,
+        relations: &Relations,
+        given: &BTreeSet<usize>,
+        world: &[SumId],
+        constants: &mut ConstantPool,
+    ) -> (Program, Vec<usize>, usize) {
+        let mut integrated: Vec<usize> = (0..world.len()).filter(|i| !given.contains(i)).collect();
+        loop {
+            let absolute = self.angles_of_axes(equations, relations, integrated.iter().copied());
+            let mut lowering = Lowering::new(&equations.algebra, constants);
+            self.begin(&mut lowering, equations, relations, &absolute);
+            self.accelerations(&mut lowering, equations);
+            for &i in &integrated {
+                let rate = lowering.lower(world[i]);
+                lowering.program.push_output(rate);
+            }
+            let mut program = lowering.program;
+            let read = program.inputs().into_iter().filter_map(|symbol| equations.symbols.coordinate_of(symbol));
+            let read: BTreeSet<usize> = read.collect();
+            let others = || integrated.iter().filter(|i| !read.contains(i));
+            let ordered: Vec<usize> = read.iter().chain(others()).copied().collect();
+            if ordered == integrated {
+                program.settle_signs();
+                return (program, integrated, read.len());
+            }
+            integrated = ordered;
+        }
+    }
+
+    /// Angles whose sines are read: those by which velocities are turned, and those of the axes along which places move.
+    fn angles_of_axes(
+        &self,
+        equations: &Equations,
+        relations: &Relations,
+        moved: impl Iterator<Item = usize>,
+    ) -> BTreeSet<Symbol> {
+        let mut angles = BTreeSet::new();
+        for &(_, sum) in self.velocities.iter().chain(&self.named) {
+            angles_turned_by(&equations.algebra, sum, &mut angles);
+        }
+        let places = moved.map(Coordinate::at).filter(|at| !at.component.is_angle());
+        angles.extend(places.map(|at| angle(equations, relations.frames[at.body.0])));
+        angles
+    }
+
+    /// u̇, as outputs.
+    fn accelerations(&self, lowering: &mut Lowering<'_>, equations: &Equations) {
+        for &(symbol, sum) in &self.named {
+            let value = lowering.lower(sum);
+            lowering.program.set_name(value, &equations.symbols.code_name(symbol));
+            lowering.bind(symbol, value);
+        }
+        for value in self.solve(lowering) {
+            lowering.program.push_output(value);
+        }
     }
 
     /// The coordinates that forces and relations read.
@@ -315,8 +401,8 @@ impl Form {
         for placed in &relations.bodies {
             let Some((relative, other)) = placed.hinged else { continue };
             let angles = [other, placed.body].map(|body| angle(equations, body));
-            let [of_other, own] = angles.map(|symbol| lowering.program.leaf(Node::Input(symbol)));
-            if angles.iter().all(|angle| absolute.contains(angle)) {
+            let [of_other, own] = angles.map(|symbol| lowering.symbol(symbol));
+            if angles.iter().all(|&angle| absolute.contains(&angle) && !lowering.is_bound(angle)) {
                 let program = &mut lowering.program;
                 let [[sin_a, cos_a], [sin_b, cos_b]] = [of_other, own]
                     .map(|angle| [Node::Sin(angle.node), Node::Cos(angle.node)].map(|node| program.leaf(node)));

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::places::{self, Given};
 use crate::mechanics::scene::Equations;
 use crate::mechanics::symbols::Meaning;
 use crate::model::{BodyId, Component, Coordinate};
@@ -29,6 +30,8 @@ pub struct Placed {
     pub dependent: Vec<Relation>,
     /// Its velocities that no row gives.
     pub free: Vec<usize>,
+    /// Its coordinates that position constraints give.
+    pub places: Vec<Given>,
 }
 
 /// `w_i = Σ factor w_j + drift`
@@ -90,9 +93,10 @@ impl Placed {
             along.iter_mut().for_each(|row| row.in_relative_angle(equations, body, relative, other));
         }
         let dependent = eliminate(equations, along, body)?;
-        let given: BTreeSet<usize> = dependent.iter().map(|relation| relation.velocity).collect();
         let own = N_OF_BODY * body..N_OF_BODY * (body + 1);
-        let placed = Self { body, hinged, dependent, free: own.filter(|i| !given.contains(i)).collect() };
+        let places = places::given(equations, own.clone(), rows)?;
+        let given: BTreeSet<usize> = dependent.iter().map(|relation| relation.velocity).collect();
+        let placed = Self { body, hinged, dependent, free: own.filter(|i| !given.contains(i)).collect(), places };
         placed.dependent.iter().all(|relation| relation.changes_with_angles(equations)).then_some(placed)
     }
 }

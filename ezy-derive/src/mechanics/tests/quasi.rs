@@ -26,6 +26,25 @@ fn rates(trial: &Trial, of: &QuasiVelocities, state: &State, a: &[f64]) -> Vec<f
     by_v.iter().zip(before.iter().zip(behind)).map(|(a, (x, y))| a + (y - x) / (2.0 * STEP_S)).collect()
 }
 
+/// Positions that constraints give obey these, the others stay, and velocities there obey the rows.
+fn check_whole_state(trial: &Trial, of: &QuasiVelocities, state: &State, of_u: &dyn Fn(Symbol) -> f64, tolerance: f64) {
+    let constraints = &trial.equations.constraints;
+    let mut found = outputs(trial, &of.whole_state, state, of_u);
+    let v = found.split_off(state.q.len());
+    let whole = State { q: found, v, ..state.clone() };
+    let moved: Vec<usize> = (0..state.q.len()).filter(|&i| whole.q[i].to_bits() != state.q[i].to_bits()).collect();
+    assert!(moved.len() <= constraints.n_position_rows, "seed {}", trial.seed);
+    for sums in [&constraints.position, &constraints.velocity] {
+        let residual = trial.values(sums, &whole);
+        trial.compare("residuals of the whole state", &residual, &vec![0.0; residual.len()], tolerance);
+    }
+    // another one is the same again
+    let same = outputs(trial, &of.velocities, &whole, of_u);
+    trial.compare("velocities of the whole state", &whole.v, &same, tolerance);
+    let free = moved.iter().all(|i| !of.integrated[of.n_read..].contains(i));
+    assert!(free, "seed {}: a coordinate that constraints give is integrated for itself", trial.seed);
+}
+
 /// Step of a central difference, s, and its error: its square over six times the third derivative of v cos φ, of order ten for rates of order one.
 const STEP_S: f64 = 1e-4;
 const DIFFERENCE: f64 = 2e-8;
@@ -58,6 +77,14 @@ fn cross_quasi_velocities_of_random_mechanisms_give_the_motion_of_the_rows() {
             trial.compare("rates that are quasi-velocities", &found, &expected, tolerance);
             let expected = rates(trial, of, &state, &solved[..state.q.len()]);
             trial.compare("rates of quasi-velocities", u_rates, &expected, tolerance + DIFFERENCE);
+
+            // the same with the rates of other coordinates, by a program of its own
+            let of_u = |symbol: Symbol| of.symbols.iter().position(|&own| own == symbol).map_or(f64::NAN, |k| u[k]);
+            let found = outputs(trial, &of.motion, &state, &of_u);
+            let rates = of.integrated.iter().map(|&i| state.v[i]);
+            let expected: Vec<f64> = u_rates.iter().copied().chain(rates).collect();
+            trial.compare("rates of what is integrated", &found, &expected, tolerance);
+            check_whole_state(trial, of, &state, &of_u, tolerance);
             is_compared = true;
         }
         n_forms += usize::from(is_compared);

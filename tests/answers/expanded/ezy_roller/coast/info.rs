@@ -662,6 +662,8 @@ impl Coast {
             ],
             feedback: &[5usize],
             integrals: &[(2usize, 1usize)],
+            integrated: &[2usize, 5usize, 0usize, 1usize],
+            n_read: 2usize,
             n_of_time: 0usize,
             operations: ezy::Operations {
                 add: 25usize,

@@ -1,0 +1,361 @@
+//! Equations of motion in quasi-velocities at eight states at once: sweeps of collocation over a step, and stages of eight runs.
+
+use super::in_lanes::{kernels, largest_change, one_by_one, times};
+use super::quasi_velocities::{QuasiShape, QuasiVelocities};
+use super::{Eight, N_LANES};
+use crate::scalar::{Scalar, in_widest_or};
+use std::cell::RefCell;
+use std::slice::from_ref;
+
+/// The times of a step at which a sweep looks.
+#[derive(Clone, Copy)]
+pub struct Times<'a> {
+    /// What kernels read of inputs and parameters, and [`QuasiVelocities::values_of_time`].
+    pub c: &'a [Eight],
+    pub of_time: &'a [Eight],
+    /// Times, s, and the length of the step.
+    pub t: &'a Eight,
+    pub h: f64,
+    /// From values at these times to their integrals up to each of them, over the length of the step, by columns.
+    pub integrals: &'a [Eight; N_LANES],
+}
+
+impl Times<'_> {
+    /// A number at these times, from its value at the start and its slopes there.
+    #[inline(always)]
+    fn integral(&self, slopes: &Eight, start: f64) -> Eight {
+        times(self.integrals, slopes).fused(Eight::from_f64(self.h), Eight::from_f64(start))
+    }
+}
+
+/// The start of a step.
+#[derive(Clone, Copy)]
+pub struct Start<'a> {
+    /// u, then the coordinates of [`QuasiVelocitiesInfo::feedback`].
+    pub values: &'a [f64],
+    /// All coordinates.
+    pub q: &'a [f64],
+}
+
+/// Numbers at the times of a step.
+pub struct Nodes<'a> {
+    /// u and the coordinates of [`QuasiVelocitiesInfo::feedback`], which are written.
+    pub values: &'a mut [Eight],
+    /// Their slopes: what sweeps begin with, and what they end with.
+    pub slopes: &'a mut Vec<Eight>,
+    /// As many numbers, which are overwritten.
+    pub before: &'a mut Vec<Eight>,
+    /// All coordinates; those that slopes depend on are written.
+    pub q: &'a mut [Eight],
+    /// All velocities, which are written.
+    pub v: &'a mut [Eight],
+}
+
+/// Stages of an explicit Runge–Kutta step.
+#[derive(Clone, Copy)]
+pub struct Stages<'a> {
+    /// What kernels read of inputs and parameters.
+    pub c: &'a [Eight],
+    /// The start, and the length of the step, s.
+    pub t: f64,
+    pub h: f64,
+    /// Of all stages: their times as parts of the step, and their sums over stages before, as (stage, weight).
+    pub nodes: &'a [f64],
+    pub weights: &'a [&'a [(usize, f64)]],
+    /// The first of those that are computed, and the first that is not.
+    pub first: usize,
+    pub end: usize,
+}
+
+/// Numbers at a stage, which are overwritten.
+pub struct AtStage<'a> {
+    /// u and the coordinates of [`QuasiVelocitiesInfo::integrated`].
+    pub values: &'a mut [Eight],
+    /// All coordinates.
+    pub q: &'a mut [Eight],
+}
+
+/// [`QuasiVelocities`] as a run takes them: accelerations at eight states at once, in the widest vector registers of the machine.
+pub trait EquationsInQuasiVelocities: Send + Sync {
+    /// [`QuasiVelocities::quasi_velocities`].
+    fn quasi_velocities_of(&self, c: &[f64], q: &[f64], v: &[f64], u: &mut [f64]);
+
+    /// [`QuasiVelocities::velocities`].
+    fn velocities_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], u: &[Eight], v: &mut [Eight]);
+
+    /// [`QuasiVelocities::values_of_time`].
+    fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]);
+
+    /// Stages `of.stages` of an explicit Runge–Kutta step of eight runs from u and [`QuasiVelocitiesInfo::integrated`] in `start`: writes u̇ and the rates of
+    /// these at each stage into `slopes`, one stage behind the other, with those of the stages before.
+    fn stages_in_lanes(&self, of: Stages<'_>, start: &[Eight], at: AtStage<'_>, slopes: &mut [Eight]);
+
+    /// [`QuasiVelocities::whole_state`].
+    fn whole_state_in_lanes(
+        &self,
+        c: &[Eight],
+        t: &Eight,
+        q: &[Eight],
+        u: &[Eight],
+        out: &mut [Eight],
+        v: &mut [Eight],
+    );
+
+    /// Sweeps of Picard's iteration at eight times, as long as `goes_on` says so of the largest change of a slope, each with its weight, and of the slopes.
+    ///
+    /// Quasi-velocities and coordinates there are what they are at the start and `h` times the integrals of their slopes, then slopes are computed at
+    /// these: [`QuasiVelocities::quasi_accelerations`]. After the last sweep quasi-velocities, coordinates and velocities are those of its slopes.
+    fn sweeps_in_lanes(
+        &self,
+        of: Times<'_>,
+        start: Start<'_>,
+        weights: &[f64],
+        at: Nodes<'_>,
+        goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
+    );
+}
+
+impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight> + QuasiShape> EquationsInQuasiVelocities for S {
+    fn quasi_velocities_of(&self, c: &[f64], q: &[f64], v: &[f64], u: &mut [f64]) {
+        self.quasi_velocities(c, q, v, u);
+    }
+
+    fn velocities_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], u: &[Eight], v: &mut [Eight]) {
+        kernels::velocities(self, c, t, q, u, v);
+    }
+
+    fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]) {
+        kernels::values_of_time(self, c, t, of_time);
+    }
+
+    fn stages_in_lanes(&self, of: Stages<'_>, start: &[Eight], at: AtStage<'_>, slopes: &mut [Eight]) {
+        let made = RefCell::new((at, slopes));
+        in_widest_or(
+            #[inline(always)]
+            || {
+                let (at, slopes) = &mut *made.borrow_mut();
+                stages(
+                    of,
+                    start,
+                    at,
+                    slopes,
+                    Shape::of::<S>(),
+                    #[inline(always)]
+                    |t, q, u, a, rate| self.motion(of.c, t, q, u, a, rate),
+                );
+            },
+            || {
+                let (at, slopes) = &mut *made.borrow_mut();
+                stages_one_by_one(of, start, at, slopes, Shape::of::<S>(), self);
+            },
+        );
+    }
+
+    fn whole_state_in_lanes(
+        &self,
+        c: &[Eight],
+        t: &Eight,
+        q: &[Eight],
+        u: &[Eight],
+        out: &mut [Eight],
+        v: &mut [Eight],
+    ) {
+        kernels::whole_state(self, c, t, q, u, out, v);
+    }
+
+    fn sweeps_in_lanes(
+        &self,
+        of: Times<'_>,
+        start: Start<'_>,
+        weights: &[f64],
+        at: Nodes<'_>,
+        goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
+    ) {
+        let made = RefCell::new((at, goes_on));
+        in_widest_or(
+            #[inline(always)]
+            || {
+                let (at, goes_on) = &mut *made.borrow_mut();
+                let kernels = (
+                    #[inline(always)]
+                    |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight]| {
+                        self.quasi_accelerations(of.c, *of.t, q, u, of.of_time, a, rate);
+                    },
+                    #[inline(always)]
+                    |q: &[Eight], u: &[Eight], v: &mut [Eight]| self.velocities(of.c, *of.t, q, u, v),
+                );
+                sweeps(of, start, weights, at, *goes_on, Shape::of::<S>(), kernels);
+            },
+            || {
+                let (at, goes_on) = &mut *made.borrow_mut();
+                sweeps_one_by_one(of, start, weights, at, *goes_on, Shape::of::<S>(), self);
+            },
+        );
+    }
+}
+
+/// [`QuasiShape`] as values.
+#[derive(Clone, Copy)]
+struct Shape {
+    n_u: usize,
+    feedback: &'static [usize],
+    integrals: &'static [(usize, usize)],
+    integrated: &'static [usize],
+    n_read: usize,
+}
+
+impl Shape {
+    /// As constants where sweeps are inlined, so that their loops are unrolled.
+    #[inline(always)]
+    const fn of<S: QuasiShape>() -> Self {
+        Self {
+            n_u: S::N_QUASI,
+            feedback: S::FEEDBACK,
+            integrals: S::INTEGRALS,
+            integrated: S::INTEGRATED,
+            n_read: S::N_READ,
+        }
+    }
+}
+
+/// [`EquationsInQuasiVelocities::sweeps_in_lanes`], with the kernels for u̇ and rates, and for velocities, at the times of the step.
+#[inline(always)]
+fn sweeps(
+    of: Times<'_>,
+    start: Start<'_>,
+    weights: &[f64],
+    at: &mut Nodes<'_>,
+    goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
+    Shape { n_u, feedback, integrals, .. }: Shape,
+    (accelerate, velocities): (
+        impl Fn(&[Eight], &[Eight], &mut [Eight], &mut [Eight]),
+        impl Fn(&[Eight], &[Eight], &mut [Eight]),
+    ),
+) {
+    let n = n_u + feedback.len();
+    let Nodes { values, slopes, before, q, v } = at;
+    let (first, weights, values) = (&start.values[..n], &weights[..n], &mut values[..n]);
+    let mut goes_on_from_here = true;
+    loop {
+        for i in 0..n {
+            values[i] = of.integral(&slopes[i], first[i]);
+        }
+        let (u, of_feedback) = values.split_at(n_u);
+        for (&i, value) in feedback.iter().zip(of_feedback) {
+            q[i] = *value;
+        }
+        for &(i, k) in integrals {
+            q[i] = of.integral(&u[k], start.q[i]);
+        }
+        if !goes_on_from_here {
+            break;
+        }
+        std::mem::swap(*before, *slopes);
+        let (before, slopes) = (&before[..n], &mut slopes[..n]);
+        let (a, rate) = slopes.split_at_mut(n_u);
+        accelerate(q, u, a, rate);
+        goes_on_from_here = goes_on(largest_change(slopes, before, weights), slopes);
+    }
+    velocities(q, &values[..n_u], v);
+}
+
+/// The same on a processor without the widest registers, by kernels of one state after the other. It is compiled once, not for each scene.
+#[cold]
+fn sweeps_one_by_one(
+    of: Times<'_>,
+    start: Start<'_>,
+    weights: &[f64],
+    at: &mut Nodes<'_>,
+    goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
+    shape: Shape,
+    equations: &dyn QuasiVelocities<f64>,
+) {
+    let kernels = (
+        |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight]| {
+            let read = [of.c, from_ref(of.t), q, u, of.of_time];
+            one_by_one(read, &mut [a, rate], |[c, t, q, u, of_time], [a, rate]| {
+                equations.quasi_accelerations(c, t[0], q, u, of_time, a, rate);
+            });
+        },
+        |q: &[Eight], u: &[Eight], v: &mut [Eight]| {
+            one_by_one([of.c, from_ref(of.t), q, u], &mut [v], |[c, t, q, u], [v]| {
+                equations.velocities(c, t[0], q, u, v);
+            });
+        },
+    );
+    sweeps(of, start, weights, at, goes_on, shape, kernels);
+}
+
+/// [`EquationsInQuasiVelocities::stages_in_lanes`], with the kernel for u̇ and rates at a time. Coordinates that these do not depend on are not computed.
+#[inline(always)]
+fn stages(
+    of: Stages<'_>,
+    start: &[Eight],
+    AtStage { values, q }: &mut AtStage<'_>,
+    slopes: &mut [Eight],
+    Shape { n_u, integrated, n_read, .. }: Shape,
+    motion: impl Fn(Eight, &[Eight], &[Eight], &mut [Eight], &mut [Eight]),
+) {
+    let (n, n_read) = (n_u + integrated.len(), n_u + n_read);
+    let (start, values) = (&start[..n_read], &mut values[..n_read]);
+    let h = Eight::from_f64(of.h);
+    for stage in of.first..of.end {
+        let (before, rest) = slopes.split_at_mut(stage * n);
+        let whole = n_read / AT_ONCE * AT_ONCE;
+        for i in (0..whole).step_by(AT_ONCE) {
+            combine::<AT_ONCE>(i, of.weights[stage], h, before, n, start, values);
+        }
+        for i in whole..n_read {
+            combine::<1>(i, of.weights[stage], h, before, n, start, values);
+        }
+        let (u, moved) = values.split_at(n_u);
+        for (&i, value) in integrated.iter().zip(moved) {
+            q[i] = *value;
+        }
+        let (a, rate) = rest[..n].split_at_mut(n_u);
+        motion(Eight::from_f64(of.t + of.nodes[stage] * of.h), q, u, a, rate);
+    }
+}
+
+/// Numbers that are summed at once: as many as there are registers for.
+const AT_ONCE: usize = 4;
+
+/// `values = start + h Σ weight · slope`, of `N` numbers from `first` on; slopes of stages are `n` long.
+#[inline(always)]
+fn combine<const N: usize>(
+    first: usize,
+    weights: &[(usize, f64)],
+    h: Eight,
+    slopes: &[Eight],
+    n: usize,
+    start: &[Eight],
+    values: &mut [Eight],
+) {
+    let mut sum = [Eight::from_f64(0.0); N];
+    for &(stage, weight) in weights {
+        let (weight, slopes) = (Eight::from_f64(weight), &slopes[stage * n + first..][..N]);
+        for i in 0..N {
+            sum[i] = sum[i] + weight * slopes[i];
+        }
+    }
+    for i in 0..N {
+        values[first + i] = start[first + i] + h * sum[i];
+    }
+}
+
+/// The same on a processor without the widest registers, as [`sweeps_one_by_one`].
+#[cold]
+fn stages_one_by_one(
+    of: Stages<'_>,
+    start: &[Eight],
+    at: &mut AtStage<'_>,
+    slopes: &mut [Eight],
+    shape: Shape,
+    equations: &dyn QuasiVelocities<f64>,
+) {
+    stages(of, start, at, slopes, shape, |t, q, u, a, rate| {
+        one_by_one([of.c, from_ref(&t), q, u], &mut [a, rate], |[c, t, q, u], [a, rate]| {
+            equations.motion(c, t[0], q, u, a, rate);
+        });
+    });
+}

@@ -1,0 +1,108 @@
+//! Eight runs of one scene in lanes.
+
+use super::trajectory::{Trajectory, check_end};
+use crate::dynamics::{InLanes, MotionError, State, System, SystemOf};
+use crate::integrate::{InQuasiVelocities, Method, MethodKind};
+use crate::model::{Eight, N_LANES, SceneRef};
+use crate::scalar::packed;
+use crate::simulate::SetupError;
+use std::array::from_fn;
+use std::sync::Arc;
+
+/// One to eight runs of one scene that step together; the last one fills the lanes that are left.
+pub(in crate::simulate) struct EightRuns<P> {
+    form: Form<P>,
+}
+
+/// `dop853` takes quasi-velocities where the scene has them: fewer numbers, fewer operations, and no rows to project onto.
+enum Form<P> {
+    OfRows(Trajectory<SystemOf<InLanes<P>, Eight>, Eight>),
+    InQuasiVelocities(InQuasiVelocities<P>),
+}
+
+impl<P: SceneRef> EightRuns<P> {
+    /// Runs of `systems`, whose kernels are those of `scene`, from `starts`, which meet the rows and have one time.
+    ///
+    /// # Errors
+    /// [`SetupError`] when the scene or the method cannot be used.
+    pub(in crate::simulate) fn new(
+        scene: P,
+        systems: &[System<P>],
+        starts: &[&State],
+        method: Method,
+    ) -> Result<Self, SetupError> {
+        let of_run = |lane: usize| lane.min(starts.len() - 1);
+        let info = Arc::clone(systems[0].info());
+        let fixed = packed(from_fn::<_, N_LANES, _>(|lane| systems[of_run(lane)].fixed()));
+        let state_of = |lane: usize| starts[of_run(lane)];
+        let q = packed(from_fn(|lane| &state_of(lane).q[..]));
+        let v = packed(from_fn(|lane| &state_of(lane).v[..]));
+        let z = packed(from_fn(|lane| &state_of(lane).z[..]));
+        let t = starts[0].t;
+        let start = State { t, q, v, z, work: Vec::new() };
+        let system = SystemOf::new(InLanes(scene.clone()), &systems[0], fixed);
+        let of_rows = Trajectory::new(system, info, start, method)?;
+        let tolerance = method.tolerance().filter(|_| method.kind() == MethodKind::Dop853 && of_rows.now.z.is_empty());
+        let quasi = tolerance
+            .and_then(|tolerance| InQuasiVelocities::new(scene, &of_rows.system.fixed, &of_rows.now, tolerance));
+        let form = quasi.map_or(Form::OfRows(of_rows), Form::InQuasiVelocities);
+        Ok(Self { form })
+    }
+
+    /// Steps all runs to `until_s`; nothing happens when they are there already.
+    ///
+    /// # Errors
+    /// [`MotionError`] of any run; the state is then the last good one.
+    pub(in crate::simulate) fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
+        match &mut self.form {
+            Form::OfRows(trajectory) => trajectory.advance(until_s),
+            Form::InQuasiVelocities(runs) => {
+                check_end(runs.time(), until_s)?;
+                while runs.time() < until_s {
+                    runs.step(until_s)?;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// One step towards `until_s`, of a method that chooses its steps.
+    ///
+    /// # Errors
+    /// As [`EightRuns::advance`].
+    pub(in crate::simulate) fn step_towards(&mut self, until_s: f64) -> Result<(), MotionError> {
+        match &mut self.form {
+            Form::OfRows(trajectory) => trajectory.step(until_s - trajectory.now.t, until_s),
+            Form::InQuasiVelocities(runs) => runs.step(until_s),
+        }
+    }
+
+    /// Present time, s.
+    pub(in crate::simulate) fn time(&self) -> f64 {
+        match &self.form {
+            Form::OfRows(trajectory) => trajectory.now.t,
+            Form::InQuasiVelocities(runs) => runs.time(),
+        }
+    }
+
+    /// The smallest pivot so far. In quasi-velocities there are none: rows that give velocities by pivots of parameters alone never become dependent.
+    pub(in crate::simulate) fn smallest_pivot(&self) -> f64 {
+        match &self.form {
+            Form::OfRows(trajectory) => trajectory.system.smallest_pivot,
+            Form::InQuasiVelocities(_) => f64::INFINITY,
+        }
+    }
+
+    /// Where the runs are, one a lane, without works.
+    pub(in crate::simulate) fn states(&self) -> [State; N_LANES] {
+        let in_lanes = match &self.form {
+            Form::OfRows(trajectory) => trajectory.now.clone(),
+            Form::InQuasiVelocities(runs) => runs.state(),
+        };
+        from_fn(|lane| {
+            let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
+            let State { t, q, v, z, .. } = &in_lanes;
+            State { t: *t, q: of_lane(q), v: of_lane(v), z: of_lane(z), work: Vec::new() }
+        })
+    }
+}

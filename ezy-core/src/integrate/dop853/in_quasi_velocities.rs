@@ -412,10 +412,7 @@ mod tests {
         let mut runs = runs_from(&scenes, 1e9, 0.0).unwrap();
         runs.tolerance = Tolerance { angle: Some(1e-8), ..Tolerance::new(1e-2, 1e-2) };
         let error = runs.step(1.0).unwrap_err();
-        assert!(
-            matches!(&error, MotionError::AngleUnresolved { name, .. } if name.to_string() == "bar.phi"),
-            "{error}"
-        );
+        assert!(matches!(&error, MotionError::AngleUnresolved { name, .. } if *name == "bar.phi"), "{error}");
         assert_eq!(runs.time(), 0.0);
     }
 

@@ -7,7 +7,7 @@ use super::state_projection::StateProjection;
 use super::step_method::StepMethod;
 use crate::archive::Archive;
 use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, state_not_finite};
-use crate::integrate::{Method, QUARTERED, Tolerance};
+use crate::integrate::{Method, QUARTERED};
 use crate::model::SceneRef;
 use crate::simulate::SetupError;
 use crate::simulate::tolerances::singular::{MAX_SHORTENED, SHORTENED};

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::dynamics::system_of;
-use crate::integrate::MethodKind;
+use crate::integrate::{MethodKind, Tolerance};
 use crate::linalg::Backend;
 use crate::model::Scene;
 

@@ -65,7 +65,7 @@ pub(super) struct SweepArguments {
     /// Draw what is kept over one or two values of --vary: curves or maps, and a page
     #[arg(long, conflicts_with_all = ["shard", "slurm"])]
     pub plot: bool,
-    /// Let eight neighbouring cases step together by dop853, three to nine times as fast; only ends can be kept
+    /// Let eight neighbouring cases step together by dop853, three to six times as fast; only ends can be kept
     #[arg(long)]
     pub lanes: bool,
     /// Cases of each file [default: 1000, or more beyond a million cases]

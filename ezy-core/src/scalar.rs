@@ -73,13 +73,6 @@ pub trait Scalar:
         self.fused(factor, summand)
     }
 
-    /// What `f` returns. For numbers that travel together it is compiled for the widest vector registers of the machine, as far as it is
-    /// inlined; the result has the same bits.
-    #[inline(always)]
-    fn in_widest<R>(f: impl FnOnce() -> R) -> R {
-        f()
-    }
-
     /// What `f` returns, a part of a long kernel, as a function of its own: what is always inlined would be one function again.
     ///
     /// # Panics

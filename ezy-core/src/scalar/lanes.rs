@@ -29,7 +29,7 @@ mod sin_cos;
 #[cfg(test)]
 mod tests;
 
-use super::{Scalar, in_widest, part_in_widest};
+use super::{Scalar, part_in_widest};
 use std::ops::Neg;
 
 /// `L` numbers that go through the same operations, one a trajectory; 4 and 8 fill vector registers.
@@ -127,11 +127,6 @@ impl<const L: usize> Scalar for Lanes<L> {
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
         Self([x; L])
-    }
-
-    #[inline(always)]
-    fn in_widest<R>(f: impl FnOnce() -> R) -> R {
-        in_widest(f)
     }
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! DOP853 of eight runs of a scene in quasi-velocities.
 
-use super::tableau::{AT_END, N_STAGES, NODES, STAGES};
+use super::tableau::{AT_END, N_STAGES, N_SUMS, NODES, STAGES};
 use super::{ERROR_ORDER, first_length, scale, scale_of};
 use crate::dynamics::{MotionError, State};
 use crate::integrate::step_control::StepControl;
@@ -269,13 +269,12 @@ fn expand(
 
 /// The step of a number over its length, and its errors of orders 5 and 3 and the sixth difference; slopes of stages are `n` long.
 #[inline(always)]
-fn sums(slopes: &[Eight], n: usize) -> [Eight; 4] {
-    let mut sums = [Eight::from_f64(0.0); 4];
-    // no sum reads the stages between
-    for stage in [0, 5, 6, 7, 8, 9, 10, 11] {
+fn sums(slopes: &[Eight], n: usize) -> [Eight; N_SUMS] {
+    let mut sums = [Eight::from_f64(0.0); N_SUMS];
+    for (stage, weights) in AT_END {
         let slope = slopes[stage * n];
-        for (sum, weights) in sums.iter_mut().zip(&AT_END) {
-            *sum = *sum + Eight::from_f64(weights[stage]) * slope;
+        for k in 0..N_SUMS {
+            sums[k] = sums[k] + Eight::from_f64(weights[k]) * slope;
         }
     }
     sums

@@ -16,9 +16,9 @@ use crate::archive::Archive;
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::tolerances::dop853::ROUNDING;
 use crate::model::coordinate::is_angle;
-use crate::scalar::Scalar;
-use sums::{Block, Sum, WIDTH, sum};
-use tableau::{DIFFERENCE_6, ERROR_3, ERROR_5, N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, stages};
+use crate::scalar::{Scalar, in_widest};
+use sums::{Block, Sum, WIDTH};
+use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, stages};
 
 pub(crate) use adaptive::Adaptive;
 pub(crate) use in_quasi_velocities::{InQuasiVelocities, are_same};
@@ -118,18 +118,18 @@ impl<T: Scalar> Dop853<T> {
         for stage in 1..N_STAGES {
             self.evaluate(system, from.state.t, h, stage)?;
         }
-        Self::STAGES[N_STAGES - 1](&self.slopes, &mut self.stage);
+        sums::at_end(&self.slopes, &mut self.stage, &mut self.errors);
         let length = T::from_f64(h);
         self.next_rest.copy_from_slice(&self.rest);
         let starts = self.start.as_flattened().iter().zip(self.next_rest.as_flattened_mut());
         let ends = starts.zip(self.stage.as_flattened_mut());
-        T::in_widest(
+        in_widest(
             #[inline(always)]
             || ends.for_each(|((start, rest), stage)| *stage = compensated::add(*start, length * *stage, rest)),
         );
         write(self.stage.as_flattened(), to);
         to.t = from.state.t + h;
-        Ok(self.error(h, tolerance))
+        Ok(self.weighted_error(h, tolerance))
     }
 
     /// Keeps what rounding cut off the step that was tried last.
@@ -179,25 +179,14 @@ impl<T: Scalar> Dop853<T> {
         read(self.slopes[..self.n].as_flattened_mut(), [q_rate, a, rate, power]);
     }
 
-    /// `stage = start + h · sum`
-    fn combine(&mut self, h: f64, sum: Sum<T>) {
-        let h = T::from_f64(h);
-        sum(&self.slopes, &mut self.stage);
-        let stages = self.stage.as_flattened_mut().iter_mut().zip(self.start.as_flattened());
-        T::in_widest(
-            #[inline(always)]
-            || stages.for_each(|(stage, start)| *stage = *start + h * *stage),
-        );
-    }
-
     /// The slope of a stage.
     fn evaluate(&mut self, system: &mut impl Dynamics<T>, t: f64, h: f64, stage: usize) -> Result<(), MotionError> {
-        self.combine(h, Self::STAGES[stage - 1]);
+        Self::STAGES[stage - 1](&self.slopes, &self.start, h, &mut self.stage);
         self.slope_at_stage(system, t + NODES[stage] * h, stage)
     }
 
     fn evaluate_euler(&mut self, system: &mut impl Dynamics<T>, t: f64, h: f64) -> Result<(), MotionError> {
-        self.combine(h, |slopes, out| out.copy_from_slice(&slopes[..out.len()]));
+        sums::advance([(0, 1.0)], &self.slopes, &self.start, h, &mut self.stage);
         self.slope_at_stage(system, t + h, 1)
     }
 
@@ -248,15 +237,6 @@ impl<T: Scalar> Dop853<T> {
         Some(self.weighted_error(h, tolerance))
     }
 
-    /// Error over tolerance, from both embedded solutions and a divided difference; the largest one for several lanes.
-    fn error(&mut self, h: f64, tolerance: Tolerance) -> f64 {
-        let [fives, threes, sixes] = &mut self.errors;
-        sum(ERROR_5, &self.slopes, fives);
-        sum(ERROR_3, &self.slopes, threes);
-        sum(DIFFERENCE_6, &self.slopes, sixes);
-        self.weighted_error(h, tolerance)
-    }
-
     /// Error over tolerance of the last attempt by the embedded solution of order 5 alone, where the motion is not smooth enough for what both
     /// of them tell.
     pub(crate) fn error_of_order_5(&self, h: f64, tolerance: Tolerance) -> f64 {
@@ -271,10 +251,11 @@ impl<T: Scalar> Dop853<T> {
         h.abs() * (sum / T::from_f64(n as f64)).sqrt().magnitude()
     }
 
+    /// Error over tolerance, from both embedded solutions and a divided difference; the largest one for several lanes.
     fn weighted_error(&self, h: f64, tolerance: Tolerance) -> f64 {
         // apart, since a test of each number would keep the loop from running in lanes
         match tolerance.angle {
-            None => T::in_widest(
+            None => in_widest(
                 #[inline(always)]
                 || self.error_by(h, tolerance, |_, size| scale(tolerance, size)),
             ),

@@ -3,8 +3,8 @@
 //! Source: the program DOP853 of E. Hairer and G. Wanner, 1993 to 2009; Hairer, Nørsett, Wanner, Solving Ordinary
 //! Differential Equations I (1993), II.5 and II.6.
 
-use super::sums::{Sum, sum};
-use crate::scalar::Scalar;
+use super::sums::{Sum, advance};
+use crate::scalar::{Scalar, in_widest};
 
 /// Stages of a step.
 pub(super) const N_STAGES: usize = 12;
@@ -119,38 +119,51 @@ pub(super) const STAGES: [&[(usize, f64)]; N_STAGES] = [
     &STAGE_12,
 ];
 
-/// Weights of the step itself, of its errors of orders 5 and 3, and of the sixth difference, for all stages.
-pub(super) const AT_END: [[f64; N_STAGES]; 4] =
-    [of_all_stages(&STEP), of_all_stages(&ERROR_5), of_all_stages(&ERROR_3), of_all_stages(&DIFFERENCE_6)];
+/// Sums at the end of a step: itself, its errors of orders 5 and 3, and the sixth difference.
+pub(super) const N_SUMS: usize = 4;
 
-const fn of_all_stages<const N: usize>(weights: &[(usize, f64); N]) -> [f64; N_STAGES] {
-    let mut all = [0.0; N_STAGES];
+/// Their weights, of each stage that one of them reads.
+pub(super) const AT_END: [(usize, [f64; N_SUMS]); 8] = {
+    let mut all = [(0, [0.0; N_SUMS]); 8];
     let mut i = 0;
-    while i < N {
-        all[weights[i].0] = weights[i].1;
+    while i < all.len() {
+        let stage = STEP[i].0;
+        let (five, three, six) = (of_stage(&ERROR_5, stage), of_stage(&ERROR_3, stage), of_stage(&DIFFERENCE_6, stage));
+        all[i] = (stage, [STEP[i].1, five, three, six]);
         i += 1;
     }
     all
+};
+
+/// The weight of a stage, zero where it is left out.
+const fn of_stage<const N: usize>(weights: &[(usize, f64); N], stage: usize) -> f64 {
+    let mut i = 0;
+    while i < N {
+        if weights[i].0 == stage {
+            return weights[i].1;
+        }
+        i += 1;
+    }
+    0.0
 }
 
-/// Sums with the weights of each stage from the second on; the thirteenth is the step itself.
+/// Sums with these weights, which stay literals where they are compiled for the widest registers.
+macro_rules! widest {
+    ($($weights:ident),*) => {
+        [$(|slopes, start, h, out| {
+            in_widest(
+                #[inline(always)]
+                || advance($weights, slopes, start, h, out),
+            )
+        }),*]
+    };
+}
+
+/// From the start to each stage from the second on; the thirteenth is the end of the step.
 pub(super) const fn stages<T: Scalar>() -> [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] {
-    [
-        |slopes, out| sum(STAGE_2, slopes, out),
-        |slopes, out| sum(STAGE_3, slopes, out),
-        |slopes, out| sum(STAGE_4, slopes, out),
-        |slopes, out| sum(STAGE_5, slopes, out),
-        |slopes, out| sum(STAGE_6, slopes, out),
-        |slopes, out| sum(STAGE_7, slopes, out),
-        |slopes, out| sum(STAGE_8, slopes, out),
-        |slopes, out| sum(STAGE_9, slopes, out),
-        |slopes, out| sum(STAGE_10, slopes, out),
-        |slopes, out| sum(STAGE_11, slopes, out),
-        |slopes, out| sum(STAGE_12, slopes, out),
-        |slopes, out| sum(STEP, slopes, out),
-        |slopes, out| sum(DENSE_14, slopes, out),
-        |slopes, out| sum(DENSE_15, slopes, out),
-        |slopes, out| sum(DENSE_16, slopes, out),
+    widest![
+        STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STEP,
+        DENSE_14, DENSE_15, DENSE_16
     ]
 }
 
@@ -225,7 +238,8 @@ mod tests {
             let slopes: Vec<Block<f64>> =
                 NODES[..N_STAGES].iter().map(|c| [c.powi(k); size_of::<Block<f64>>() / 8]).collect();
             let mut out = vec![slopes[0]; 1];
-            sum(DIFFERENCE_6, &slopes, &mut out);
+            let nothing = [[0.0; size_of::<Block<f64>>() / 8]];
+            advance(DIFFERENCE_6, &slopes, &nothing, 1.0, &mut out);
             out[0][0]
         };
         // weights of up to 8 with terms of one: rounding

@@ -28,10 +28,10 @@ pub(crate) struct InQuasiVelocities<P> {
     n_u: usize,
     integrated: &'static [usize],
     /// The present state, and one that is tried: q and v, and u with the coordinates that are integrated.
-    now: Ends,
-    next: Ends,
+    now: End,
+    next: End,
     /// The end of a step with the error that it may have.
-    off: Ends,
+    off: End,
     /// Numbers at a stage.
     values: Vec<Eight>,
     q: Vec<Eight>,
@@ -41,8 +41,8 @@ pub(crate) struct InQuasiVelocities<P> {
     is_begun: bool,
 }
 
-/// A state.
-struct Ends {
+/// One end of a step: the numbers that are integrated, and the whole state.
+struct End {
     numbers: Vec<Eight>,
     /// What rounding cut off the numbers.
     rest: Vec<Eight>,
@@ -60,8 +60,8 @@ impl<P: SceneRef> InQuasiVelocities<P> {
         let State { t, q, v, .. } = start;
         let zeros = |n: usize| vec![Eight::from_f64(0.0); n];
         let (n_u, n) = (info.formulas.len(), info.formulas.len() + info.integrated.len());
-        let ends = || Ends { numbers: zeros(n), rest: zeros(n), q: zeros(q.len()), v: zeros(v.len()) };
-        let mut now = Ends { q: q.clone(), ..ends() };
+        let zero = || End { numbers: zeros(n), rest: zeros(n), q: zeros(q.len()), v: zeros(v.len()) };
+        let mut now = End { q: q.clone(), ..zero() };
         for lane in 0..N_LANES {
             let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect::<Vec<f64>>();
             let mut u = vec![0.0; n_u];
@@ -84,8 +84,8 @@ impl<P: SceneRef> InQuasiVelocities<P> {
             n_u,
             integrated: info.integrated,
             now,
-            next: ends(),
-            off: ends(),
+            next: zero(),
+            off: zero(),
             values: zeros(n),
             q: zeros(q.len()),
             slopes: zeros(N_STAGES * n),
@@ -255,7 +255,7 @@ fn expand(
     n_u: usize,
     integrated: &[usize],
     given: &mut [Eight],
-    Ends { numbers, q, v, .. }: &mut Ends,
+    End { numbers, q, v, .. }: &mut End,
 ) {
     let t = Eight::from_f64(t);
     for (&i, number) in integrated.iter().zip(&numbers[n_u..]) {

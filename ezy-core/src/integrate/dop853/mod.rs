@@ -17,8 +17,8 @@ use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::tolerances::dop853::ROUNDING;
 use crate::model::coordinate::is_angle;
 use crate::scalar::{Scalar, in_widest};
-use sums::{Block, Sum, WIDTH};
-use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, stages};
+use sums::{Block, Sum, WIDTH, stages};
+use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES};
 
 pub(crate) use adaptive::Adaptive;
 pub(crate) use in_quasi_velocities::{InQuasiVelocities, are_same};

@@ -1,6 +1,9 @@
 //! Sums of slopes, the inner loop of a step: weights known to the compiler, numbers side by side.
 
-use super::tableau::{AT_END, N_SUMS};
+use super::tableau::{
+    AT_END, DENSE_14, DENSE_15, DENSE_16, N_STAGES_OF_DENSE_OUTPUT, N_SUMS, STAGE_2, STAGE_3, STAGE_4, STAGE_5,
+    STAGE_6, STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STEP,
+};
 use crate::scalar::{Scalar, in_widest};
 
 /// Numbers of y that are computed together; y is padded with zeros to a whole number of blocks.
@@ -30,6 +33,26 @@ pub(super) fn advance<const N: usize, T: Scalar>(
             out[i][k] = start[i][k] + T::from_f64(length) * sum[k];
         }
     }
+}
+
+/// Sums with these weights, which stay literals where they are compiled for the widest registers.
+macro_rules! widest {
+    ($($weights:ident),*) => {
+        [$(|slopes, start, h, out| {
+            in_widest(
+                #[inline(always)]
+                || advance($weights, slopes, start, h, out),
+            )
+        }),*]
+    };
+}
+
+/// From the start to each stage from the second on; the thirteenth is the end of the step.
+pub(super) const fn stages<T: Scalar>() -> [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] {
+    widest![
+        STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STEP,
+        DENSE_14, DENSE_15, DENSE_16
+    ]
 }
 
 /// The step over its length, its errors of orders 5 and 3, and the sixth difference, from the slopes of the stages of a step.

@@ -3,9 +3,6 @@
 //! Source: the program DOP853 of E. Hairer and G. Wanner, 1993 to 2009; Hairer, Nørsett, Wanner, Solving Ordinary
 //! Differential Equations I (1993), II.5 and II.6.
 
-use super::sums::{Sum, advance};
-use crate::scalar::{Scalar, in_widest};
-
 /// Stages of a step.
 pub(super) const N_STAGES: usize = 12;
 /// Stages of a step with dense output: the slope at its end and three more.
@@ -147,26 +144,6 @@ const fn of_stage<const N: usize>(weights: &[(usize, f64); N], stage: usize) -> 
     0.0
 }
 
-/// Sums with these weights, which stay literals where they are compiled for the widest registers.
-macro_rules! widest {
-    ($($weights:ident),*) => {
-        [$(|slopes, start, h, out| {
-            in_widest(
-                #[inline(always)]
-                || advance($weights, slopes, start, h, out),
-            )
-        }),*]
-    };
-}
-
-/// From the start to each stage from the second on; the thirteenth is the end of the step.
-pub(super) const fn stages<T: Scalar>() -> [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] {
-    widest![
-        STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STEP,
-        DENSE_14, DENSE_15, DENSE_16
-    ]
-}
-
 /// Weights of the four highest coefficients of the dense output.
 pub(super) const DENSE: [&[(usize, f64)]; 4] = [
     &[
@@ -229,19 +206,11 @@ pub(super) const DENSE: [&[(usize, f64)]; 4] = [
 
 #[cfg(test)]
 mod tests {
-    use super::super::sums::Block;
     use super::*;
 
     #[test]
     fn analytic_difference_vanishes_for_powers_up_to_five() {
-        let of_power = |k: i32| {
-            let slopes: Vec<Block<f64>> =
-                NODES[..N_STAGES].iter().map(|c| [c.powi(k); size_of::<Block<f64>>() / 8]).collect();
-            let mut out = vec![slopes[0]; 1];
-            let nothing = [[0.0; size_of::<Block<f64>>() / 8]];
-            advance(DIFFERENCE_6, &slopes, &nothing, 1.0, &mut out);
-            out[0][0]
-        };
+        let of_power = |k: i32| DIFFERENCE_6.iter().map(|&(stage, weight)| weight * NODES[stage].powi(k)).sum::<f64>();
         // weights of up to 8 with terms of one: rounding
         (0..6).for_each(|k| assert!(of_power(k).abs() < 1e-14, "{k}: {:e}", of_power(k)));
         // the sixth difference of c⁶ is 1, over the root of the sum of squares of its weights

@@ -31,7 +31,7 @@ impl Times<'_> {
 /// The start of a step.
 #[derive(Clone, Copy)]
 pub struct Start<'a> {
-    /// u, then the coordinates of [`QuasiVelocitiesInfo::feedback`].
+    /// u, then the coordinates of [`feedback`](super::QuasiVelocitiesInfo::feedback).
     pub values: &'a [f64],
     /// All coordinates.
     pub q: &'a [f64],
@@ -39,7 +39,7 @@ pub struct Start<'a> {
 
 /// Numbers at the times of a step.
 pub struct Nodes<'a> {
-    /// u and the coordinates of [`QuasiVelocitiesInfo::feedback`], which are written.
+    /// u and the coordinates of [`feedback`](super::QuasiVelocitiesInfo::feedback), which are written.
     pub values: &'a mut [Eight],
     /// Their slopes: what sweeps begin with, and what they end with.
     pub slopes: &'a mut Vec<Eight>,
@@ -69,7 +69,7 @@ pub struct Stages<'a> {
 
 /// Numbers at a stage, which are overwritten.
 pub struct AtStage<'a> {
-    /// u and the coordinates of [`QuasiVelocitiesInfo::integrated`].
+    /// u and the coordinates of [`integrated`](super::QuasiVelocitiesInfo::integrated).
     pub values: &'a mut [Eight],
     /// All coordinates.
     pub q: &'a mut [Eight],
@@ -86,7 +86,7 @@ pub trait EquationsInQuasiVelocities: Send + Sync {
     /// [`QuasiVelocities::values_of_time`].
     fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]);
 
-    /// Stages `of.stages` of an explicit Runge–Kutta step of eight runs from u and [`QuasiVelocitiesInfo::integrated`] in `start`: writes u̇ and the rates of
+    /// Stages `of.stages` of an explicit Runge–Kutta step of eight runs from u and [`integrated`](super::QuasiVelocitiesInfo::integrated) in `start`: writes u̇ and the rates of
     /// these at each stage into `slopes`, one stage behind the other, with those of the stages before.
     fn stages_in_lanes(&self, of: Stages<'_>, start: &[Eight], at: AtStage<'_>, slopes: &mut [Eight]);
 

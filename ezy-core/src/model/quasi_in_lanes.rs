@@ -86,7 +86,7 @@ pub trait EquationsInQuasiVelocities: Send + Sync {
     /// [`QuasiVelocities::values_of_time`].
     fn values_of_time_in_lanes(&self, c: &[Eight], t: &Eight, of_time: &mut [Eight]);
 
-    /// Stages `of.stages` of an explicit Runge–Kutta step of eight runs from u and [`integrated`](super::QuasiVelocitiesInfo::integrated) in `start`: writes u̇ and the rates of
+    /// Stages from `of.first` up to `of.end` of an explicit Runge–Kutta step of eight runs from u and [`integrated`](super::QuasiVelocitiesInfo::integrated) in `start`: writes u̇ and the rates of
     /// these at each stage into `slopes`, one stage behind the other, with those of the stages before.
     fn stages_in_lanes(&self, of: Stages<'_>, start: &[Eight], at: AtStage<'_>, slopes: &mut [Eight]);
 

@@ -99,8 +99,8 @@ impl<P: SceneRef> InQuasiVelocities<P> {
     }
 
     /// Present coordinates and velocities.
-    pub(crate) fn state(&self) -> State<Eight> {
-        State { t: self.t, q: self.now.q.clone(), v: self.now.v.clone(), z: Vec::new(), work: Vec::new() }
+    pub(crate) fn state(&self) -> [&[Eight]; 2] {
+        [&self.now.q, &self.now.v]
     }
 
     /// A step towards `end`, whose length the error decides; after an error the state is the last good one.
@@ -151,10 +151,7 @@ impl<P: SceneRef> InQuasiVelocities<P> {
         let n_q = now.q.len();
         let norm = |x: &[Eight]| {
             let squares = x.iter().zip(&start).enumerate().map(|(i, (&x, y))| {
-                let x = x / match i.checked_sub(n_u) {
-                    Some(i) => scale_of(tolerance, integrated[i], n_q, y.abs()),
-                    None => scale(tolerance, y.abs()),
-                };
+                let x = x / scale_of_number(tolerance, i, n_u, integrated, n_q, y.abs());
                 x * x
             });
             let sum = squares.fold(Eight::from_f64(0.0), |sum, square| sum + square);
@@ -191,10 +188,7 @@ impl<P: SceneRef> InQuasiVelocities<P> {
                     next.numbers[i] = end;
                     off.numbers[i] = end + length * five;
                     let size = now.numbers[i].abs().max(end.abs());
-                    let scale = match i.checked_sub(*n_u) {
-                        Some(i) => scale_of(*tolerance, integrated[i], now.q.len(), size),
-                        None => scale(*tolerance, size),
-                    };
+                    let scale = scale_of_number(*tolerance, i, *n_u, integrated, now.q.len(), size);
                     let weight = Eight::from_f64(1.0) / scale;
                     for (share, error) in shares.iter_mut().zip([five, three, six]) {
                         let error = error * weight;
@@ -264,6 +258,15 @@ fn expand(
     equations.whole_state_in_lanes(fixed, &t, given, &numbers[..n_u], q, v);
     for (&i, number) in integrated.iter().zip(&mut numbers[n_u..]) {
         *number = q[i];
+    }
+}
+
+/// Tolerance for number `i` of those that are integrated, u first, of this size.
+#[inline(always)]
+fn scale_of_number(tolerance: Tolerance, i: usize, n_u: usize, integrated: &[usize], n_q: usize, size: Eight) -> Eight {
+    match i.checked_sub(n_u) {
+        Some(i) => scale_of(tolerance, integrated[i], n_q, size),
+        None => scale(tolerance, size),
     }
 }
 
@@ -341,27 +344,27 @@ mod tests {
     }
 
     /// The state at the end of a second, and the number of steps.
-    fn end(scenes: &[racer::Rides; N_LANES]) -> (State<Eight>, u32) {
+    fn end(scenes: &[racer::Rides; N_LANES]) -> ([Vec<Eight>; 2], u32) {
         let mut runs = runs(scenes, 0.0).unwrap();
         let mut n_steps = 0;
         while runs.time() < 1.0 {
             runs.step(1.0).unwrap();
             n_steps += 1;
         }
-        (runs.state(), n_steps)
+        (runs.state().map(<[Eight]>::to_vec), n_steps)
     }
 
     /// Each of some ten steps is off by the tolerance, and the motion amplifies that by less than ten in a second.
     #[test]
     fn cross_runs_in_quasi_velocities_are_those_of_rows() {
         let scenes = scenes();
-        let (end, n_steps) = end(&scenes);
+        let ([q, v], n_steps) = end(&scenes);
         assert!((5..60).contains(&n_steps), "{n_steps}");
         for (lane, scene) in scenes.iter().enumerate() {
             let run = crate::simulate::Simulation::new(scene).method(crate::integrate::Method::dop853(1e-12));
             let run = run.until(1.0).run().unwrap();
             let alone = run.last();
-            let pairs = alone.coordinates.iter().zip(&end.q).chain(alone.velocities.iter().zip(&end.v));
+            let pairs = alone.coordinates.iter().zip(&q).chain(alone.velocities.iter().zip(&v));
             for (x, y) in pairs {
                 assert!((x - y.0[lane]).abs() <= 100.0 * TOLERANCE.absolute, "{lane}: {x} {}", y.0[lane]);
             }
@@ -377,11 +380,11 @@ mod tests {
         let info = scenes[0].info();
         while runs.time() < 1.0 {
             runs.step(1.0).unwrap();
-            let State { t, q, v, .. } = runs.state();
+            let (t, [q, v]) = (runs.time(), runs.state());
             let mut of_positions = vec![Eight::from_f64(0.0); info.n_position_rows];
             let mut of_velocities = vec![Eight::from_f64(0.0); info.n_rows()];
-            scenes[0].position_constraint(&runs.fixed, Eight::from_f64(t), &q, &mut of_positions);
-            scenes[0].velocity_constraint(&runs.fixed, Eight::from_f64(t), &q, &v, &mut of_velocities);
+            scenes[0].position_constraint(&runs.fixed, Eight::from_f64(t), q, &mut of_positions);
+            scenes[0].velocity_constraint(&runs.fixed, Eight::from_f64(t), q, v, &mut of_velocities);
             for residual in of_positions.iter().chain(&of_velocities) {
                 assert!(residual.magnitude() <= ROUNDING, "{residual:?} at {t} s");
             }

@@ -93,16 +93,16 @@ impl<P: SceneRef> EightRuns<P> {
         }
     }
 
-    /// Where the runs are, one a lane, without works.
-    pub(in crate::simulate) fn states(&self) -> [State; N_LANES] {
-        let in_lanes = match &self.form {
-            Form::OfRows(trajectory) => trajectory.now.clone(),
-            Form::InQuasiVelocities(runs) => runs.state(),
+    /// Where a run is, without works.
+    pub(in crate::simulate) fn state(&self, lane: usize) -> State {
+        let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
+        let [q, v, z] = match &self.form {
+            Form::OfRows(Trajectory { now, .. }) => [&now.q[..], &now.v, &now.z].map(of_lane),
+            Form::InQuasiVelocities(runs) => {
+                let [q, v] = runs.state().map(of_lane);
+                [q, v, Vec::new()]
+            }
         };
-        from_fn(|lane| {
-            let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
-            let State { t, q, v, z, .. } = &in_lanes;
-            State { t: *t, q: of_lane(q), v: of_lane(v), z: of_lane(z), work: Vec::new() }
-        })
+        State { t: self.time(), q, v, z, work: Vec::new() }
     }
 }

@@ -83,7 +83,11 @@ impl<'s, S: Scene, const L: usize> Ensemble<'s, S, L> {
     }
 
     /// Where run `lane` is, without works.
+    ///
+    /// # Panics
+    /// When there is no such run.
     pub fn state(&self, lane: usize) -> State {
-        self.runs.states()[..L][lane].clone()
+        assert!(lane < L, "an ensemble of {L} runs has no run {lane}");
+        self.runs.state(lane)
     }
 }

@@ -143,9 +143,9 @@ pub fn run_together(
         }
         n_steps += 1;
     }
-    let end = |(mut system, state): (System<&dyn Scene>, State)| {
-        let (mut at, t) = (Snapshot::zero(&info, false), state.t);
-        at.state = state;
+    let end = |(lane, mut system): (usize, System<&dyn Scene>)| {
+        let (mut at, t) = (Snapshot::zero(&info, false), together.time());
+        at.state = together.state(lane);
         at.evaluate(&mut system).ok()?;
         let mut sampler = Sampler::new(Arc::clone(&info), Wanted { outputs: true, ..Wanted::default() }, None);
         sampler.keep(&mut system, &at).ok()?;
@@ -154,5 +154,5 @@ pub fn run_together(
         scene.points(system.fixed(), t, &at.state.q, &mut points);
         Some(EndOfRun { numbers, t, points, n_steps })
     };
-    systems.into_iter().zip(together.states()).map(end).collect::<Option<_>>().ok_or(STOPS)
+    systems.into_iter().enumerate().map(end).collect::<Option<_>>().ok_or(STOPS)
 }

@@ -359,15 +359,15 @@ mod tests {
     /// Changes of the state by less than the tolerance make no step shorter, be they as rough as rounding.
     #[test]
     fn invariant_number_that_hardly_moves_does_not_count() {
-        let smooth = Lanes(falling(0.01, 1e3));
-        let rough = Lanes([1e-9; N]);
+        let smooth = Lanes(falling(0.1, 1e2));
+        let rough = Lanes([1e-7; N]);
         let error = |coefficients: &[Eight]| {
             let start: Vec<f64> = coefficients.iter().map(|of| lanes::sum(&AT_START, of)).collect();
             let weights = vec![1.0; coefficients.len()];
             error_of_slopes(coefficients, &weights, &lanes::sizes(coefficients, &weights), &start, 1.0)[0]
         };
         let more = error(&[smooth, rough]) - error(&[smooth]);
-        // of the smooth one 1e3 · 0.01 comes next; relative to its own size the rough number would add 10/17
-        assert!(more <= 10.0 * 1e-9 / 17.0 * (1.0 + ROUNDING_OF_SUMS), "{more}");
+        // of the smooth one 1e2 · 0.1 comes next; relative to its own size the rough number would add 10/17
+        assert!(more > 0.0 && more <= 10.0 * 1e-7 / 17.0, "{more}");
     }
 }

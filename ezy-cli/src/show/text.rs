@@ -35,7 +35,7 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     text += &format!("\norder of elimination\n\n{}", indent(&elimination(info)));
     if let Some(of) = info.quasi_velocities {
         let formulas: String = of.formulas.iter().map(|formula| format!("{}\n", formula.text)).collect();
-        text += &format!("\nquasi-velocities, in which gauss solves\n\n{}", indent(&formulas));
+        text += &format!("\nquasi-velocities, in which gauss and dop853 solve\n\n{}", indent(&formulas));
     }
     let mut operations = Table::new(std::iter::once("operations").chain(OPERATIONS));
     for (name, numbers) in kernels(info) {

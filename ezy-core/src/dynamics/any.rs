@@ -28,6 +28,26 @@ pub(crate) trait Dynamics<T: Scalar> {
     /// Power of each effect, W, as [`System::power`].
     fn power(&self, t: f64, q: &[T], v: &[T], lambda: &[T], out: &mut [T]);
 
+    /// Slopes of coordinates, velocities, first-order states and works at a state (q, v, z). Leaves the multipliers in `lambda`.
+    ///
+    /// # Errors
+    /// Those of [`Dynamics::accelerations`].
+    #[inline(always)]
+    fn slopes(
+        &mut self,
+        t: f64,
+        [q, v, z]: [&[T]; 3],
+        lambda: &mut [T],
+        [of_q, of_v, of_z, of_work]: [&mut [T]; 4],
+    ) -> Result<(), MotionError> {
+        self.place_states(z);
+        self.position_rates(q, v, of_q);
+        self.accelerations(t, q, v, of_v, lambda)?;
+        self.state_rates(t, q, v, of_z);
+        self.power(t, q, v, lambda, of_work);
+        Ok(())
+    }
+
     /// Takes from `x` (`n_q`) what a projection at `q` would take from an error of positions or velocities; `false` where
     /// that is not known.
     fn project_onto_null_space(&mut self, _t: f64, _q: &[T], _x: &mut [T]) -> bool {

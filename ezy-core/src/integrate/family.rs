@@ -59,7 +59,8 @@ pub(crate) trait Family {
         None
     }
 
-    /// For a system; none where its scene lacks what the method needs.
+    /// For a system; none where its scene lacks what the method needs. `is_projected`: whether the ends of steps are projected, positions and velocities in the
+    /// metric of the masses.
     ///
     /// # Errors
     /// [`SystemError`] when there is no memory for the analysis of a large scene.
@@ -67,6 +68,7 @@ pub(crate) trait Family {
         system: &System<P>,
         n_works: usize,
         tolerance: Tolerance,
+        _is_projected: bool,
     ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
         Ok(Self::in_any_number(Sizes::new(system.info(), n_works), tolerance))
     }

@@ -66,6 +66,11 @@ pub(crate) trait Integrator<D, T: Scalar = f64>: Send {
         None
     }
 
+    /// Whether the last step led to a state that obeys the rows to rounding.
+    fn keeps_rows(&self) -> bool {
+        false
+    }
+
     /// Whether the method finds accelerations itself, by [`Integrator::expand`].
     fn expands(&self) -> bool {
         false

@@ -40,7 +40,8 @@ macro_rules! methods {
                 }
             }
 
-            /// For a system; none where its scene lacks what the method needs.
+            /// For a system; none where its scene lacks what the method needs. `is_projected`: whether the ends of steps are projected, positions
+            /// and velocities in the metric of the masses.
             ///
             /// # Errors
             /// [`SystemError`] when there is no memory for the analysis of a large scene.
@@ -49,13 +50,14 @@ macro_rules! methods {
                 system: &System<P>,
                 n_works: usize,
                 tolerance: Tolerance,
+                is_projected: bool,
             ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
                 let (scene, method) = (system.info(), self.info());
                 if scene.n_states() > 0 && !method.takes_states || !(scene.is_planar() || method.takes_any_body) {
                     return Ok(None);
                 }
                 match self {
-                    $(Self::$kind => <$module::$family as Family>::of_system(system, n_works, tolerance),)*
+                    $(Self::$kind => <$module::$family as Family>::of_system(system, n_works, tolerance, is_projected),)*
                 }
             }
         }

@@ -12,6 +12,7 @@ mod integrator;
 mod method;
 mod midpoint;
 mod radau;
+mod reduced;
 mod rk4;
 mod root;
 mod step_control;

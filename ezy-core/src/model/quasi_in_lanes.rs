@@ -77,8 +77,8 @@ pub struct AtStage<'a> {
 
 /// [`QuasiVelocities`] as a run takes them: accelerations at eight states at once, in the widest vector registers of the machine.
 pub trait EquationsInQuasiVelocities: Send + Sync {
-    /// [`QuasiVelocities::quasi_velocities`].
-    fn quasi_velocities_of(&self, c: &[f64], q: &[f64], v: &[f64], u: &mut [f64]);
+    /// The kernels of one state.
+    fn of_one(&self) -> &dyn QuasiVelocities<f64>;
 
     /// [`QuasiVelocities::velocities`].
     fn velocities_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], u: &[Eight], v: &mut [Eight]);
@@ -116,8 +116,8 @@ pub trait EquationsInQuasiVelocities: Send + Sync {
 }
 
 impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight> + QuasiShape> EquationsInQuasiVelocities for S {
-    fn quasi_velocities_of(&self, c: &[f64], q: &[f64], v: &[f64], u: &mut [f64]) {
-        self.quasi_velocities(c, q, v, u);
+    fn of_one(&self) -> &dyn QuasiVelocities<f64> {
+        self
     }
 
     fn velocities_in_lanes(&self, c: &[Eight], t: &Eight, q: &[Eight], u: &[Eight], v: &mut [Eight]) {

@@ -37,7 +37,7 @@ pub(super) fn against_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Ve
         let size = max_abs(&v);
         probe.scene.velocity_constraint(&probe.fixed, *t, q, &v, &mut residual);
         residual.iter().for_each(|residual| of_rows.compare(*residual, 0.0, size));
-        equations.quasi_velocities_of(&probe.fixed, q, &v, &mut same);
+        equations.of_one().quasi_velocities(&probe.fixed, q, &v, &mut same);
         same.iter().zip(u).for_each(|(same, u)| of_rows.compare(*same, *u, size));
         let (whole_q, whole_v) = in_lanes.whole_state(*t, q, u);
         let (mut of_positions, at) = (vec![0.0; probe.info.n_position_rows], max_abs(&whole_q).max(1.0));

@@ -44,7 +44,7 @@ impl<P: SceneRef> GivenSteps<P> {
             return None;
         }
         let integrator = match by {
-            StepsBy::Method(kind) => kind.of_system(&system, n_works, OF_THE_STATE).ok()??,
+            StepsBy::Method(kind) => kind.of_system(&system, n_works, OF_THE_STATE, false).ok()??,
             StepsBy::Taylor(order) => Box::new(AlongSeries::of_order(&system, n_works, order, OF_THE_STATE)?),
         };
         let (a, rate, power, lambda) = (vec![0.0; n_v], vec![0.0; state.z.len()], vec![0.0; n_works], vec![0.0; n_c]);

@@ -61,7 +61,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
         let formulas = quasi.values.iter().map(|&value| formula_of(names, value));
         let feedback = &quasi.feedback;
         let integrals = quasi.integrals.iter().map(|(i, k)| quote!((#i, #k)));
-        let (integrated, n_read) = (&quasi.integrated, quasi.n_read);
+        let (integrated, n_read, has_free_body) = (&quasi.integrated, quasi.n_read, quasi.has_free_body);
         let n_of_time = quasi.time_symbols.len();
         let operations = operations(count_of(Quantity::QuasiAccelerations));
         quote! {
@@ -71,6 +71,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
                 integrals: &[#(#integrals),*],
                 integrated: &[#(#integrated),*],
                 n_read: #n_read,
+                has_free_body: #has_free_body,
                 n_of_time: #n_of_time,
                 operations: #operations,
             }

@@ -47,6 +47,7 @@ mod parallel_cranks;
 mod precise;
 mod projection;
 mod quantities;
+mod quasi_velocities;
 mod radau;
 mod rank;
 mod recording;

@@ -184,10 +184,11 @@ model! {
 const ROUNDING: f64 = 1e-12;
 
 fn methods() -> [Method; 5] {
-    [Method::rk4(2e-3), Method::dop853(1e-11), Method::taylor(1e-13), Method::gauss(1e-13), Method::radau(1e-9)]
+    [Method::rk4(2e-3), Method::dop853(1e-13), Method::taylor(1e-13), Method::gauss(1e-13), Method::radau(1e-9)]
 }
 
-/// Both routes take the same steps, so that they differ by rounding alone.
+/// Both routes take the same steps, so that they differ by rounding alone; but where bodies are written by hand, `gauss` and `dop853` solve for
+/// quasi-velocities, and differ by their tolerance, too.
 fn assert_equal(by_index: &dyn Scene, by_hand: &dyn Scene) {
     for method in methods() {
         let [x, y] = [by_index, by_hand].map(|scene| simulation(scene).method(method).outputs().run().unwrap());

@@ -4,10 +4,9 @@ use super::{Dop853, ERROR_ORDER, StiffnessWatch};
 use crate::archive::Archive;
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::discontinuities::{Discontinuities, Passage};
-use crate::integrate::family::{Family, MethodInfo, Needs, Sizes};
+use crate::integrate::family::Sizes;
 use crate::integrate::step_control::StepControl;
 use crate::integrate::step_limit::{StepLimit, is_too_short, limited_step};
-use crate::integrate::tolerances::second_run::{ROUNDING, TIGHTER};
 use crate::integrate::tolerances::steps::{APPROACH, LARGEST_DENSE_ERROR, LEFT, MAX_DISCONTINUITIES};
 use crate::integrate::{Integrator, Node, Tolerance};
 use crate::scalar::Scalar;
@@ -38,30 +37,8 @@ enum Between {
     Steps,
 }
 
-impl Family for Adaptive {
-    const INFO: MethodInfo = MethodInfo {
-        name: "dop853",
-        summary: "Method of Dormand and Prince of order 8 with steps that keep to a tolerance",
-        order: Some(8),
-        chooses_steps: true,
-        is_implicit: false,
-        needs: Needs::Nothing,
-        takes_any_body: true,
-        takes_states: true,
-        tighter: TIGHTER,
-        rounding: ROUNDING,
-    };
-
-    fn in_any_number<D: Dynamics<T>, T: Scalar>(
-        sizes: Sizes,
-        tolerance: Tolerance,
-    ) -> Option<Box<dyn Integrator<D, T>>> {
-        Some(Box::new(Adaptive::new(sizes, tolerance)))
-    }
-}
-
 impl<T: Scalar> Adaptive<T> {
-    fn new(sizes: Sizes, tolerance: Tolerance) -> Self {
+    pub(super) fn new(sizes: Sizes, tolerance: Tolerance) -> Self {
         Self {
             method: Dop853::new(sizes),
             control: StepControl::new(ERROR_ORDER),
@@ -72,6 +49,77 @@ impl<T: Scalar> Adaptive<T> {
             rejected: 0,
             between: None,
             part: None,
+        }
+    }
+
+    /// [`Integrator::step`] towards `end`, with the error over the tolerance that `judge` finds of a try, by its length and the time of its end.
+    ///
+    /// In a layer a force changes by nearly all of itself, and the step is not short beside that: order 8 is not reached, and the
+    /// estimate of order 5 counts as it is.
+    pub(super) fn step_judged<D: Dynamics<T>>(
+        &mut self,
+        system: &mut D,
+        from: Node<'_, T>,
+        end: f64,
+        discontinuities: &mut dyn Discontinuities<D, T>,
+        to: &mut State<T>,
+        mut judge: impl FnMut(&mut Dop853<T>, &mut D, f64, f64) -> f64,
+    ) -> Result<(), MotionError> {
+        self.between = None;
+        let t = from.state.t;
+        let left = end - t;
+        if let Some(last_s) = self.last_s
+            && self.watch.is_due()
+        {
+            self.watch.note(self.method.stability(last_s, from), t);
+        }
+        let mut length = match self.step_s {
+            Some(step_s) => step_s,
+            None => self.method.first_step(system, from, left, self.tolerance)?,
+        };
+        // the step length before a discontinuity, to continue with behind it; not where the step becomes shorter than the way to it
+        let (mut whole, mut n_discontinuities) = (None, 0);
+        loop {
+            let StepLimit { step_s: h, t_next, .. } = limited_step(t, end, length);
+            if is_too_short(t, h) && h < left {
+                return Err(MotionError::StepCollapsed { t, step_s: h });
+            }
+            match self.method.take(system, from, h, to) {
+                Ok(()) => {
+                    let mut error = judge(&mut self.method, system, h, t_next);
+                    let passage = discontinuities.passage(system, from, to);
+                    if passage == Passage::Layer {
+                        error = error.max(self.method.error_of_order_5(h, self.tolerance));
+                    }
+                    if let Passage::Ends(shorter) = passage
+                        && n_discontinuities < MAX_DISCONTINUITIES
+                    {
+                        n_discontinuities += 1;
+                        let whole = *whole.get_or_insert(h);
+                        length = if shorter > LEFT * whole { APPROACH * shorter } else { shorter };
+                        self.rejected += 1;
+                        continue;
+                    } else if error <= 1.0 {
+                        self.method.accept();
+                        to.t = t_next;
+                        let factor = self.control.accept(error);
+                        self.step_s = Some(whole.unwrap_or(h * factor));
+                        self.last_s = Some(h);
+                        return Ok(());
+                    } else {
+                        length = h * self.control.reject(error);
+                    }
+                }
+                // a stage may have left the region where the equations are defined; a shorter step may not
+                Err(error) => {
+                    length = h * self.control.reject(f64::NAN);
+                    if is_too_short(t, length) {
+                        return Err(error);
+                    }
+                }
+            }
+            (whole, n_discontinuities) = (None, 0);
+            self.rejected += 1;
         }
     }
 }
@@ -134,8 +182,6 @@ impl<D: Dynamics<T>, T: Scalar> Integrator<D, T> for Adaptive<T> {
         Ok(())
     }
 
-    /// In a layer a force changes by nearly all of itself, and the step is not short beside that: order 8 is not reached, and the
-    /// estimate of order 5 counts as it is.
     fn step(
         &mut self,
         system: &mut D,
@@ -145,61 +191,8 @@ impl<D: Dynamics<T>, T: Scalar> Integrator<D, T> for Adaptive<T> {
         discontinuities: &mut dyn Discontinuities<D, T>,
         to: &mut State<T>,
     ) -> Result<(), MotionError> {
-        self.between = None;
-        let t = from.state.t;
-        let left = end - t;
-        if let Some(last_s) = self.last_s
-            && self.watch.is_due()
-        {
-            self.watch.note(self.method.stability(last_s, from), t);
-        }
-        let mut length = match self.step_s {
-            Some(step_s) => step_s,
-            None => self.method.first_step(system, from, left, self.tolerance)?,
-        };
-        // the step length before a discontinuity, to continue with behind it; not where the step becomes shorter than the way to it
-        let (mut whole, mut n_discontinuities) = (None, 0);
-        loop {
-            let StepLimit { step_s: h, t_next, .. } = limited_step(t, end, length);
-            if is_too_short(t, h) && h < left {
-                return Err(MotionError::StepCollapsed { t, step_s: h });
-            }
-            match self.method.attempt(system, from, h, self.tolerance, to) {
-                Ok(mut error) => {
-                    let passage = discontinuities.passage(system, from, to);
-                    if passage == Passage::Layer {
-                        error = error.max(self.method.error_of_order_5(h, self.tolerance));
-                    }
-                    if let Passage::Ends(shorter) = passage
-                        && n_discontinuities < MAX_DISCONTINUITIES
-                    {
-                        n_discontinuities += 1;
-                        let whole = *whole.get_or_insert(h);
-                        length = if shorter > LEFT * whole { APPROACH * shorter } else { shorter };
-                        self.rejected += 1;
-                        continue;
-                    } else if error <= 1.0 {
-                        self.method.accept();
-                        to.t = t_next;
-                        let factor = self.control.accept(error);
-                        self.step_s = Some(whole.unwrap_or(h * factor));
-                        self.last_s = Some(h);
-                        return Ok(());
-                    } else {
-                        length = h * self.control.reject(error);
-                    }
-                }
-                // a stage may have left the region where the equations are defined; a shorter step may not
-                Err(error) => {
-                    length = h * self.control.reject(f64::NAN);
-                    if is_too_short(t, length) {
-                        return Err(error);
-                    }
-                }
-            }
-            (whole, n_discontinuities) = (None, 0);
-            self.rejected += 1;
-        }
+        let tolerance = self.tolerance;
+        self.step_judged(system, from, end, discontinuities, to, |method, _, h, _| method.weighted_error(h, tolerance))
     }
 
     fn remember(&mut self, _system: &mut D, archive: &mut Archive<T>) {

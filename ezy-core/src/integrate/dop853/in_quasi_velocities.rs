@@ -1,12 +1,11 @@
 //! DOP853 of eight runs of a scene in quasi-velocities.
 
 use super::tableau::{AT_END, N_STAGES, N_SUMS, NODES, STAGES};
-use super::{ERROR_ORDER, first_length, scale, scale_of};
+use super::{ERROR_ORDER, first_length};
 use crate::dynamics::{MotionError, State};
+use crate::integrate::reduced::{Numbers, are_same};
 use crate::integrate::step_control::StepControl;
 use crate::integrate::step_limit::{StepLimit, is_too_short, limited_step};
-use crate::integrate::tolerances::dop853::ROUNDING;
-use crate::integrate::tolerances::quasi_velocities::SAME;
 use crate::integrate::{Tolerance, compensated};
 use crate::model::quasi_in_lanes::{AtStage, EquationsInQuasiVelocities, Stages};
 use crate::model::{Derived as _, Eight, N_LANES, Scene as _, SceneInfo, SceneRef};
@@ -20,13 +19,11 @@ pub(crate) struct InQuasiVelocities<P> {
     info: Arc<SceneInfo>,
     /// Inputs, then constants.
     fixed: Vec<Eight>,
-    tolerance: Tolerance,
+    numbers: Numbers,
     control: StepControl,
     /// Length of the next step, s; none before the first.
     step_s: Option<f64>,
     t: f64,
-    n_u: usize,
-    integrated: &'static [usize],
     /// The present state, and one that is tried: q and v, and u with the coordinates that are integrated.
     now: End,
     next: End,
@@ -65,7 +62,7 @@ impl<P: SceneRef> InQuasiVelocities<P> {
         for lane in 0..N_LANES {
             let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect::<Vec<f64>>();
             let mut u = vec![0.0; n_u];
-            equations.quasi_velocities_of(&of_lane(fixed), &of_lane(q), &of_lane(v), &mut u);
+            equations.of_one().quasi_velocities(&of_lane(fixed), &of_lane(q), &of_lane(v), &mut u);
             now.numbers.iter_mut().zip(u).for_each(|(number, u)| number.0[lane] = u);
         }
         for (number, &i) in now.numbers[n_u..].iter_mut().zip(info.integrated) {
@@ -77,12 +74,10 @@ impl<P: SceneRef> InQuasiVelocities<P> {
             scene,
             info: of_scene,
             fixed: fixed.to_vec(),
-            tolerance,
+            numbers: Numbers { n_u, integrated: info.integrated, n_q: q.len(), tolerance },
             control: StepControl::new(ERROR_ORDER),
             step_s: None,
             t: *t,
-            n_u,
-            integrated: info.integrated,
             now,
             next: zero(),
             off: zero(),
@@ -124,7 +119,7 @@ impl<P: SceneRef> InQuasiVelocities<P> {
             }
             let error = self.attempt(h, t_next);
             if error <= 1.0 {
-                self.tolerance.check_angles(&self.info, t_next, &self.next.q)?;
+                self.numbers.tolerance.check_angles(&self.info, t_next, &self.next.q)?;
                 self.t = t_next;
                 std::mem::swap(&mut self.now, &mut self.next);
                 self.is_begun = false;
@@ -145,13 +140,10 @@ impl<P: SceneRef> InQuasiVelocities<P> {
     /// Length of the first step.
     fn first_step(&mut self, longest: f64) -> f64 {
         let n = self.now.numbers.len();
-        let Self { tolerance, n_u, integrated, now, .. } = self;
-        let (tolerance, n_u, integrated) = (*tolerance, *n_u, *integrated);
-        let start = now.numbers.clone();
-        let n_q = now.q.len();
+        let (numbers, start) = (self.numbers, self.now.numbers.clone());
         let norm = |x: &[Eight]| {
             let squares = x.iter().zip(&start).enumerate().map(|(i, (&x, y))| {
-                let x = x / scale_of_number(tolerance, i, n_u, integrated, n_q, y.abs());
+                let x = x / numbers.scale(i, y.abs());
                 x * x
             });
             let sum = squares.fold(Eight::from_f64(0.0), |sum, square| sum + square);
@@ -173,7 +165,7 @@ impl<P: SceneRef> InQuasiVelocities<P> {
     /// Attempts a step of length `h`; the error over the tolerance, of the run where it is largest.
     fn attempt(&mut self, h: f64, t_next: f64) -> f64 {
         self.stages(self.t, h, 1, N_STAGES);
-        let Self { scene, fixed, tolerance, n_u, integrated, now, next, off, slopes, q: given, .. } = self;
+        let Self { scene, fixed, numbers, now, next, off, slopes, q: given, .. } = self;
         let equations = equations(scene);
         let mut shares = [Eight::from_f64(0.0); 3];
         in_widest(
@@ -187,53 +179,21 @@ impl<P: SceneRef> InQuasiVelocities<P> {
                     let end = compensated::add(now.numbers[i], length * step, &mut next.rest[i]);
                     next.numbers[i] = end;
                     off.numbers[i] = end + length * five;
-                    let size = now.numbers[i].abs().max(end.abs());
-                    let scale = scale_of_number(*tolerance, i, *n_u, integrated, now.q.len(), size);
-                    let weight = Eight::from_f64(1.0) / scale;
-                    for (share, error) in shares.iter_mut().zip([five, three, six]) {
-                        let error = error * weight;
-                        *share = *share + error * error;
-                    }
+                    numbers.add(i, [now.numbers[i], end], [five, three, six], &mut shares);
                 }
             },
         );
         for end in [&mut *next, &mut *off] {
-            expand(equations, fixed, t_next, *n_u, integrated, given, end);
+            expand(equations, fixed, t_next, *numbers, given, end);
         }
+        let ends = [now, next, off].map(|end| [&end.q[..], &end.v]);
         let mut error = Eight::from_f64(0.0);
         in_widest(
             #[inline(always)]
-            || {
-                let n_q = now.q.len();
-                let mut sum = Eight::from_f64(0.0);
-                let of_q = now.q.iter().zip(&next.q).zip(&off.q).enumerate();
-                for (i, ((start, end), off)) in of_q {
-                    let error = (*off - *end) / scale_of(*tolerance, i, n_q, start.abs().max(end.abs()));
-                    sum = sum + error * error;
-                }
-                for ((start, end), off) in now.v.iter().zip(&next.v).zip(&off.v) {
-                    let error = (*off - *end) / scale(*tolerance, start.abs().max(end.abs()));
-                    sum = sum + error * error;
-                }
-                // the other estimates in the share that they have of the numbers that are integrated
-                let tiny = Eight::from_f64(f64::MIN_POSITIVE);
-                let [five, three, six] = shares;
-                let larger = if tolerance.relative >= ROUNDING { five.max(six) } else { five };
-                let n = Eight::from_f64((2 * n_q) as f64);
-                // a part of `five` below the rounding of a number moves none of them
-                let moved = (sum / five.max(tiny)).max(Eight::from_f64(h * h));
-                let whole = (larger + Eight::from_f64(0.01) * three).max(tiny);
-                error = (moved * larger / n * (larger / whole)).sqrt();
-            },
+            || error = numbers.error(h, shares, ends),
         );
         error.magnitude()
     }
-}
-
-/// Whether quasi-velocities give back the velocities that they are taken from. They do not where those do not obey the rows, nor where a pivot vanishes that depends on parameters.
-pub(crate) fn are_same(v: impl Iterator<Item = f64> + Clone, found: impl Iterator<Item = f64>) -> bool {
-    let fastest = v.clone().fold(0.0, |fastest: f64, v| fastest.max(v.abs()));
-    v.zip(found).all(|(v, found)| (v - found).abs() <= SAME * fastest)
 }
 
 /// What a scene has that was asked for them before.
@@ -246,8 +206,7 @@ fn expand(
     equations: &dyn EquationsInQuasiVelocities,
     fixed: &[Eight],
     t: f64,
-    n_u: usize,
-    integrated: &[usize],
+    Numbers { n_u, integrated, .. }: Numbers,
     given: &mut [Eight],
     End { numbers, q, v, .. }: &mut End,
 ) {
@@ -258,15 +217,6 @@ fn expand(
     equations.whole_state_in_lanes(fixed, &t, given, &numbers[..n_u], q, v);
     for (&i, number) in integrated.iter().zip(&mut numbers[n_u..]) {
         *number = q[i];
-    }
-}
-
-/// Tolerance for number `i` of those that are integrated, u first, of this size.
-#[inline(always)]
-fn scale_of_number(tolerance: Tolerance, i: usize, n_u: usize, integrated: &[usize], n_q: usize, size: Eight) -> Eight {
-    match i.checked_sub(n_u) {
-        Some(i) => scale_of(tolerance, integrated[i], n_q, size),
-        None => scale(tolerance, size),
     }
 }
 
@@ -412,7 +362,7 @@ mod tests {
     fn invariant_angle_beyond_its_tolerance_ends_runs_before_the_step() {
         let scenes = scenes();
         let mut runs = runs_from(&scenes, 1e9, 0.0).unwrap();
-        runs.tolerance = Tolerance { angle: Some(1e-8), ..Tolerance::new(1e-2, 1e-2) };
+        runs.numbers.tolerance = Tolerance { angle: Some(1e-8), ..Tolerance::new(1e-2, 1e-2) };
         let error = runs.step(1.0).unwrap_err();
         assert!(matches!(&error, MotionError::AngleUnresolved { name, .. } if *name == "bar.phi"), "{error}");
         assert_eq!(runs.time(), 0.0);
@@ -424,7 +374,7 @@ mod tests {
         let scenes = scenes();
         let n_steps = |angle: Option<f64>| {
             let mut runs = runs(&scenes, 0.0).unwrap();
-            runs.tolerance = Tolerance { angle, ..TOLERANCE };
+            runs.numbers.tolerance = Tolerance { angle, ..TOLERANCE };
             let mut n = 0;
             while runs.time() < 1.0 {
                 runs.step(1.0).unwrap();

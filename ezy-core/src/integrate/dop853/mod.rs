@@ -2,12 +2,15 @@
 
 mod adaptive;
 mod dense;
+mod family;
 mod in_quasi_velocities;
+mod single_run;
 mod stiffness;
 mod sums;
 mod tableau;
 #[cfg(test)]
 mod tests;
+mod whole_error;
 
 use super::family::Sizes;
 use super::step_control::Tolerance;
@@ -18,10 +21,10 @@ use crate::integrate::tolerances::dop853::ROUNDING;
 use crate::model::coordinate::is_angle;
 use crate::scalar::{Scalar, in_widest};
 use sums::{Block, Sum, WIDTH, stages};
-use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES};
+use tableau::{COUNTS, N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES};
 
 pub(crate) use adaptive::Adaptive;
-pub(crate) use in_quasi_velocities::{InQuasiVelocities, are_same};
+pub(crate) use in_quasi_velocities::InQuasiVelocities;
 pub(crate) use stiffness::StiffnessWatch;
 
 /// Order of the error estimate's power of the step.
@@ -114,6 +117,18 @@ impl<T: Scalar> Dop853<T> {
         tolerance: Tolerance,
         to: &mut State<T>,
     ) -> Result<f64, MotionError> {
+        self.take(system, from, h, to)?;
+        Ok(self.weighted_error(h, tolerance))
+    }
+
+    /// The same without the error.
+    fn take(
+        &mut self,
+        system: &mut impl Dynamics<T>,
+        from: Node<'_, T>,
+        h: f64,
+        to: &mut State<T>,
+    ) -> Result<(), MotionError> {
         self.begin(from);
         for stage in 1..N_STAGES {
             self.evaluate(system, from.state.t, h, stage)?;
@@ -129,7 +144,13 @@ impl<T: Scalar> Dop853<T> {
         );
         write(self.stage.as_flattened(), to);
         to.t = from.state.t + h;
-        Ok(self.weighted_error(h, tolerance))
+        Ok(())
+    }
+
+    /// What was integrated at the start and at the end of the step that was tried last, its errors of orders 5 and 3 over its length, and its sixth difference.
+    fn tried(&self) -> (&[T], &[T], [&[T]; 3]) {
+        let errors = self.errors.each_ref().map(|errors| errors.as_flattened());
+        (self.start.as_flattened(), self.stage.as_flattened(), errors)
     }
 
     /// Keeps what rounding cut off the step that was tried last.
@@ -191,20 +212,16 @@ impl<T: Scalar> Dop853<T> {
     }
 
     fn slope_at_stage(&mut self, system: &mut impl Dynamics<T>, t: f64, stage: usize) -> Result<(), MotionError> {
-        let (n_q, n_v) = (self.n_q, self.n_v);
-        let (q, rest) = self.stage.as_flattened().split_at(n_q);
-        let (v, rest) = rest.split_at(n_v);
-        system.place_states(&rest[..self.n_z]);
+        let (q, rest) = self.stage.as_flattened().split_at(self.n_q);
+        let (v, rest) = rest.split_at(self.n_v);
         let slope = self.slopes[stage * self.n..][..self.n].as_flattened_mut();
-        let (position_rates, rest) = slope.split_at_mut(n_q);
-        let (accelerations, rest) = rest.split_at_mut(n_v);
-        let (rates, rest) = rest.split_at_mut(self.n_z);
-        let powers = &mut rest[..self.n_works];
-        system.position_rates(q, v, position_rates);
-        system.accelerations(t, q, v, accelerations, &mut self.lambda)?;
-        system.state_rates(t, q, v, rates);
-        system.power(t, q, v, &self.lambda, powers);
-        Ok(())
+        let (of_q, of_rest) = slope.split_at_mut(self.n_q);
+        let (of_v, of_rest) = of_rest.split_at_mut(self.n_v);
+        let (of_z, of_rest) = of_rest.split_at_mut(self.n_z);
+        // no sum of works has others
+        let n_works = if COUNTS[stage] { self.n_works } else { 0 };
+        let of_work = &mut of_rest[..n_works];
+        system.slopes(t, [q, v, &rest[..self.n_z]], &mut self.lambda, [of_q, of_v, of_z, of_work])
     }
 
     /// Error over tolerance of the last attempt, without the part that the projection at its end `to` removes.

@@ -204,9 +204,35 @@ pub(super) const DENSE: [&[(usize, f64)]; 4] = [
     ],
 ];
 
+/// Whether the slope of a stage counts at the end of a step, or between both ends.
+pub(super) const COUNTS: [bool; N_STAGES_OF_DENSE_OUTPUT] = {
+    let mut counts = [false; N_STAGES_OF_DENSE_OUTPUT];
+    let mut i = 0;
+    while i < AT_END.len() {
+        counts[AT_END[i].0] = true;
+        i += 1;
+    }
+    let mut stage = N_STAGES;
+    while stage < counts.len() {
+        counts[stage] = true;
+        stage += 1;
+    }
+    counts
+};
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn cross_stages_that_count_are_those_with_weights() {
+        let sums = [&STEP[..], &ERROR_5, &ERROR_3, &DIFFERENCE_6].into_iter().chain(DENSE);
+        let has_weight = sums.flatten().fold([false; N_STAGES_OF_DENSE_OUTPUT], |mut all, (stage, _)| {
+            all[*stage] = true;
+            all
+        });
+        assert_eq!(COUNTS, has_weight);
+    }
 
     #[test]
     fn analytic_difference_vanishes_for_powers_up_to_five() {

@@ -23,7 +23,7 @@ impl Dynamics<f64> for Swing {
     fn state_rates(&self, _: f64, _: &[f64], _: &[f64], _: &mut [f64]) {}
 
     fn power(&self, _: f64, _: &[f64], v: &[f64], _: &[f64], out: &mut [f64]) {
-        out[0] = 3.0 * v[0];
+        out.fill(3.0 * v[0]);
     }
 
     fn project_onto_null_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {

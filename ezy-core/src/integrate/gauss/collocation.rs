@@ -52,6 +52,7 @@ impl Family for Collocation {
         system: &System<P>,
         n_works: usize,
         tolerance: Tolerance,
+        _is_projected: bool,
     ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
         let method = Gauss::new(system.scene(), n_works);
         let control = GaussControl::default();

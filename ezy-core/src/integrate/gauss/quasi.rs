@@ -7,7 +7,7 @@ use super::useful_degree;
 use crate::archive::Archive;
 use crate::dynamics::{EightStates, State, System};
 use crate::integrate::Tolerance;
-use crate::integrate::dop853::are_same;
+use crate::integrate::reduced::are_same;
 use crate::model::coordinate::N_OF_BODY;
 use crate::model::quasi_in_lanes::{EquationsInQuasiVelocities, Nodes, Start, Times};
 use crate::model::{Derived as _, Eight, N_LANES, QuasiVelocitiesInfo, Scene, SceneRef};
@@ -97,7 +97,7 @@ impl QuasiSweeps {
     ) -> bool {
         let Self { info, n_u, start, values, .. } = self;
         let (u, q) = start.split_at_mut(*n_u);
-        equations.quasi_velocities_of(system.fixed(), &from.q, &from.v, u);
+        equations.of_one().quasi_velocities(system.fixed(), &from.q, &from.v, u);
         q.iter_mut().zip(info.feedback).for_each(|(q, &i)| *q = from.q[i]);
         let values = &mut values[..*n_u];
         for (k, (value, u)) in values.iter_mut().zip(&*u).enumerate() {

@@ -67,6 +67,7 @@ impl Family for Implicit {
         system: &System<P>,
         n_works: usize,
         tolerance: Tolerance,
+        _is_projected: bool,
     ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
         let Some(radau) = Radau::new(system.scene(), n_works)? else { return Ok(None) };
         Ok(Some(Box::new(Self::new(radau, system.info().n_coordinates(), tolerance))))

@@ -66,6 +66,7 @@ impl Family for AlongSeries {
         system: &System<P>,
         n_works: usize,
         tolerance: Tolerance,
+        _is_projected: bool,
     ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
         let series = Self::of_order(system, n_works, order_for(tolerance), tolerance);
         Ok(series.map(|series| Box::new(series) as Box<dyn Integrator<System<P>>>))

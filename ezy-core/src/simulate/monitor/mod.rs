@@ -28,7 +28,8 @@ pub struct Monitors {
     /// Largest residual of a row at velocity level in these states, m/s or rad/s; none without rows. Looked at where the
     /// run starts and ends and after every sixteenth step; after every step when `max_drift` was ordered.
     pub velocity_residual: Option<Peak>,
-    /// Largest residual of a position constraint that a projection removed after a step; none when positions are not projected.
+    /// Largest residual of a position constraint that a projection removed after a step, zero where all steps end on the rows by themselves; none when
+    /// positions are not projected.
     pub position_drift: Option<Peak>,
     /// Largest residual of a row at velocity level that a projection removed; none when velocities are not projected.
     pub velocity_drift: Option<Peak>,

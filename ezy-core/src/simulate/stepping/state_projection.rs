@@ -43,6 +43,12 @@ impl StateProjection {
         Ok(())
     }
 
+    /// Sees the end of a step that needs no projection.
+    pub(super) fn see_kept<P: SceneRef>(&mut self, system: &mut System<P>, state: &State) {
+        let positions_after = system.projector().worst_position(state.t, &state.q);
+        self.projected = Projected { positions_after, ..Projected::default() };
+    }
+
     /// Projects a state that is no end of a step: monitors do not see by how much.
     pub(super) fn project_unseen<P: SceneRef>(
         &self,

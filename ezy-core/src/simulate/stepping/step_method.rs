@@ -19,10 +19,17 @@ pub(super) struct StepMethod<P: SceneRef> {
 }
 
 impl<P: SceneRef> StepMethod<P> {
+    /// `is_projected`: whether the ends of steps are projected, positions and velocities in the metric of the masses.
+    ///
     /// # Errors
     /// [`SetupError`] where the scene lacks what the method needs.
-    pub(super) fn new(system: &System<P>, method: Method, n_works: usize) -> Result<Self, SetupError> {
-        let integrator = integrator(system, method, n_works)?;
+    pub(super) fn new(
+        system: &System<P>,
+        method: Method,
+        n_works: usize,
+        is_projected: bool,
+    ) -> Result<Self, SetupError> {
+        let integrator = integrator(system, method, n_works, is_projected)?;
         Ok(Self {
             expands: integrator.expands(),
             judges_by_end: integrator.judges_by_end(),
@@ -96,9 +103,11 @@ fn integrator<P: SceneRef>(
     system: &System<P>,
     method: Method,
     n_works: usize,
+    is_projected: bool,
 ) -> Result<Box<dyn Integrator<System<P>>>, SetupError> {
     SetupError::refuse_angles(system.info(), method.tolerance())?;
-    let made = method.kind().of_system(system, n_works, method.tolerance().unwrap_or(Tolerance::ANY))?;
+    let tolerance = method.tolerance().unwrap_or(Tolerance::ANY);
+    let made = method.kind().of_system(system, n_works, tolerance, is_projected)?;
     let info = system.info();
     made.ok_or(match method.info().needs {
         _ if info.n_states() > 0 && !method.info().takes_states => {

@@ -6,7 +6,7 @@ use super::snapshot::Snapshot;
 use super::state_projection::StateProjection;
 use super::step_method::StepMethod;
 use crate::archive::Archive;
-use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, state_not_finite};
+use crate::dynamics::{Metric, MotionError, Projection, Solved, State, Strain, System, state_not_finite};
 use crate::integrate::{Method, QUARTERED};
 use crate::model::SceneRef;
 use crate::simulate::SetupError;
@@ -38,8 +38,8 @@ impl<P: SceneRef> StepperState<P> {
     ) -> Result<Self, SetupError> {
         let info = Arc::clone(system.info());
         let [now, next] = std::array::from_fn(|_| Snapshot::zero(&info, work));
-        let method = StepMethod::new(&system, method, now.power.len())?;
         let projection = StateProjection::new(projection, metric);
+        let method = StepMethod::new(&system, method, now.power.len(), projection.is_complete())?;
         let crosses = projection.is_complete() && info.n_position_rows > 0;
         let singular_positions = SingularPositions::new(crosses);
         Ok(Self {
@@ -204,6 +204,11 @@ impl<P: SceneRef> StepperState<P> {
     fn project_next(&mut self) -> Result<(), MotionError> {
         let Self { system, projection, next, .. } = self;
         let state = &mut next.state;
+        if self.method.integrator.keeps_rows() {
+            projection.see_kept(system, state);
+            next.end = Solved::regular(f64::INFINITY);
+            return Ok(());
+        }
         system.place_states(&state.z);
         // some methods find their own accelerations, and inputs may change before the next step
         let is_final = !self.method.expands() && system.inputs().is_empty();

@@ -21,7 +21,7 @@ use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::{Count, Node, Program, Split, Value};
 use crate::symbolic::sum::{Atom, SumId};
 use crate::symbolic::{Algebra, Symbol};
-use relations::{N_OF_BODY, Relations, angle, sines, turned};
+use relations::{N_OF_BODY, Placed, Relations, angle, sines, turned};
 
 /// Most quasi-velocities for which the equations are derived. Their matrix is full, while rows are sparse; and eight lanes hold a column of R each,
 /// v_t and v (`QuasiSweeps` of `ezy-core`).
@@ -53,6 +53,8 @@ pub struct QuasiVelocities {
     /// The coordinates that are integrated: `n_read` that the motion depends on, then others that no position constraint gives.
     pub integrated: Vec<usize>,
     pub n_read: usize,
+    /// Whether no row holds the place of some body.
+    pub has_free_body: bool,
     /// Coordinates from t and q, with those that position constraints give from the others, then v there, from u.
     pub whole_state: Program,
 }
@@ -318,6 +320,7 @@ impl Form {
             motion,
             integrated,
             n_read,
+            has_free_body: relations.bodies.iter().any(Placed::is_free),
             whole_state,
         }
     }

@@ -34,6 +34,15 @@ pub struct Placed {
     pub places: Vec<Given>,
 }
 
+impl Placed {
+    /// Whether it may go along both of its axes, however it turns.
+    pub fn is_free(&self) -> bool {
+        let goes = [0, 1].map(|axis| N_OF_BODY * self.body + axis);
+        let reads = |relation: &Relation| relation.terms.iter().any(|(i, _)| goes.contains(i));
+        goes.iter().all(|i| self.free.contains(i)) && !self.dependent.iter().any(reads)
+    }
+}
+
 /// `w_i = Σ factor w_j + drift`
 pub struct Relation {
     pub velocity: usize,

@@ -664,6 +664,7 @@ impl Coast {
             integrals: &[(2usize, 1usize)],
             integrated: &[2usize, 5usize, 0usize, 1usize],
             n_read: 2usize,
+            has_free_body: false,
             n_of_time: 0usize,
             operations: ezy::Operations {
                 add: 25usize,

@@ -131,7 +131,7 @@ impl Reduced {
             return false;
         };
         let (fixed, Self { numbers, start, end, .. }) = (system.fixed(), self);
-        if !start.is(from) && end.is(from) {
+        if !start.is(from) {
             std::mem::swap(start, end);
         }
         let State { t, q, v, work, .. } = from;

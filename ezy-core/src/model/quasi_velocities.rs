@@ -63,7 +63,7 @@ pub struct QuasiVelocitiesInfo {
     /// How many it reads.
     pub n_read: usize,
     /// Whether a body may go along both of its axes, however it turns: no row such as that of a wheel or a hinge to the ground holds it. Velocities along axes that turn
-    /// are no good numbers then: those along x and y of a body that nothing pushes are constant.
+    /// change then, where those along x and y of a body that nothing pushes stay.
     pub has_free_body: bool,
     /// How many numbers depend on time, inputs and parameters alone.
     pub n_of_time: usize,

@@ -9,7 +9,8 @@ use crate::integrate::reduced::{End, Motion, Reduced};
 use crate::integrate::{Integrator, Node, Tolerance};
 use crate::model::{Scene, SceneRef};
 
-/// Steps in quasi-velocities, and those of the rows where a start does not obey them, where some of them are switched off, and where numbers are none.
+/// Steps in quasi-velocities, and those of the rows where a start does not obey them, where some of them are switched off, and where a number would not
+/// be finite.
 pub(super) struct SingleRun {
     rows: Adaptive,
     steps: Adaptive,
@@ -156,18 +157,19 @@ impl<P: SceneRef> Integrator<System<P>> for SingleRun {
         discontinuities: &mut dyn Discontinuities<System<P>>,
         to: &mut State,
     ) -> Result<(), MotionError> {
-        let was_reduced = self.is_reduced;
-        self.is_reduced = self.reduced.starts(system, from.state);
-        if self.is_reduced {
-            if !was_reduced {
-                Integrator::<System<P>>::restart(&mut self.steps);
+        // what is left behind begins anew when it is taken again
+        if self.reduced.starts(system, from.state) {
+            if !std::mem::replace(&mut self.is_reduced, true) {
+                Integrator::<System<P>>::restart(&mut self.rows);
             }
             let outcome = self.step_reduced(system, from.power, end, to);
             if outcome.is_ok() {
                 return outcome;
             }
-            // the rows say what is wrong
-            self.is_reduced = false;
+        }
+        // where that failed the rows say why
+        if std::mem::replace(&mut self.is_reduced, false) {
+            Integrator::<System<P>>::restart(&mut self.steps);
         }
         self.rows.step(system, from, h, end, discontinuities, to)
     }

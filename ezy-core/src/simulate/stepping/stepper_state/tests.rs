@@ -197,3 +197,17 @@ fn invariant_steps_in_quasi_velocities_are_projected_steps_from_the_rows() {
         assert!(!keeps_rows(projection, metric, change), "{projection:?} {metric:?} {change}");
     }
 }
+
+/// The length that a step is to begin with holds in quasi-velocities, too: it is far below what the method would choose.
+#[test]
+fn invariant_first_step_in_quasi_velocities_has_the_length_that_is_given() {
+    let scene = racer::Rides::default();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
+    let start = system.consistent_start(&system.scene_start()).unwrap();
+    let mut stepper = StepperState::new(system, Method::dop853(1e-9), Projection::Both, Metric::Mass, false).unwrap();
+    stepper.place(&start);
+    stepper.evaluate_now().unwrap();
+    stepper.method.integrator.restart_with(1e-4);
+    stepper.advance(1.0, 3.0).unwrap();
+    assert_eq!(stepper.next.state.t, 1e-4);
+}

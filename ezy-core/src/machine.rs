@@ -1,11 +1,11 @@
 //! Instructions of the machine at hand, in a build for any machine of its kind.
 
-/// What `f` returns, compiled for the widest vector registers of this machine. Only what is inlined into `f` is compiled so: its loops over
-/// lanes, and functions that are `#[inline(always)]`.
+/// What `f` returns, compiled for vector registers of four numbers where this machine has them. Only what is inlined into `f` is compiled so: its loops over lanes, and functions
+/// that are `#[inline(always)]`.
 ///
 /// No two operations are fused that the base build keeps apart, so that the result has the same bits on every machine.
 #[inline(always)]
-pub(crate) fn in_widest<F: FnOnce() -> R, R>(f: F) -> R {
+pub(crate) fn in_wide<F: FnOnce() -> R, R>(f: F) -> R {
     #[cfg(target_arch = "x86_64")]
     if has_avx2() {
         // SAFETY: `in_avx2` needs a processor with AVX2, and this one has it
@@ -14,10 +14,21 @@ pub(crate) fn in_widest<F: FnOnce() -> R, R>(f: F) -> R {
     f()
 }
 
-/// What `wide` returns, compiled as by [`in_widest`] and for no other registers; on an x86-64 processor without these, what `narrow` returns. Kernels in lanes take the compiler
+/// As [`in_wide`], or for registers of eight numbers where this machine has them. Runs in lanes gain a quarter; sweeps of collocation, which wait for their own results, nothing.
+#[inline(always)]
+pub(crate) fn in_widest<F: FnOnce() -> R, R>(f: F) -> R {
+    #[cfg(target_arch = "x86_64")]
+    if has_avx512() {
+        // SAFETY: `in_avx512` needs a processor with these instructions, and this one has them
+        return unsafe { in_avx512(f) };
+    }
+    in_wide(f)
+}
+
+/// What `wide` returns, compiled as by [`in_wide`] and for no other registers; on an x86-64 processor without these, what `narrow` returns. Kernels in lanes take the compiler
 /// longer than all else in a crate of models, and few processors need them twice.
 #[inline(always)]
-pub(crate) fn in_widest_or<R>(wide: impl FnOnce() -> R, narrow: impl FnOnce() -> R) -> R {
+pub(crate) fn in_wide_or<R>(wide: impl FnOnce() -> R, narrow: impl FnOnce() -> R) -> R {
     #[cfg(target_arch = "x86_64")]
     {
         if has_avx2() {
@@ -34,11 +45,33 @@ pub(crate) fn in_widest_or<R>(wide: impl FnOnce() -> R, narrow: impl FnOnce() ->
     }
 }
 
+/// As [`in_wide_or`], with registers as for [`in_widest`].
+#[inline(always)]
+pub(crate) fn in_widest_or<R>(wide: impl FnOnce() -> R, narrow: impl FnOnce() -> R) -> R {
+    #[cfg(target_arch = "x86_64")]
+    if has_avx512() {
+        // SAFETY: `in_avx512` needs a processor with these instructions, and this one has them
+        return unsafe { in_avx512(wide) };
+    }
+    in_wide_or(wide, narrow)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+fn has_avx512() -> bool {
+    #[cfg(test)]
+    if narrow::WIDEST.get() < 8 {
+        return false;
+    }
+    use std::arch::is_x86_feature_detected as has;
+    has!("avx512f") && has!("avx512dq") && has!("avx512vl")
+}
+
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 fn has_avx2() -> bool {
     #[cfg(test)]
-    if narrow::IS_ASKED_FOR.get() {
+    if narrow::WIDEST.get() < 4 {
         return false;
     }
     std::arch::is_x86_feature_detected!("avx2")
@@ -50,16 +83,26 @@ pub(crate) mod narrow {
     use std::cell::Cell;
 
     thread_local! {
-        pub(super) static IS_ASKED_FOR: Cell<bool> = const { Cell::new(false) };
+        /// Numbers in the widest registers that are used.
+        pub(super) static WIDEST: Cell<usize> = const { Cell::new(8) };
     }
 
-    /// What `f` returns on a processor without the widest vector registers.
-    pub(crate) fn on_narrow_processor<R>(f: impl FnOnce() -> R) -> R {
-        IS_ASKED_FOR.set(true);
-        let found = f();
-        IS_ASKED_FOR.set(false);
-        found
+    /// Fails unless `f` returns the same on this processor, and on those whose widest registers have four numbers and two.
+    pub(crate) fn assert_same_on_each_processor<R: PartialEq + std::fmt::Debug>(f: impl Fn() -> R) {
+        let [eight, four, two] = [8, 4, 2].map(|n| {
+            WIDEST.set(n);
+            f()
+        });
+        WIDEST.set(8);
+        assert_eq!(eight, four);
+        assert_eq!(four, two);
     }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+fn in_avx512<F: FnOnce() -> R, R>(f: F) -> R {
+    f()
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -68,10 +111,10 @@ fn in_avx2<F: FnOnce() -> R, R>(f: F) -> R {
     f()
 }
 
-/// What `f` returns, a part of what [`in_widest_or`] calls, as a function of its own.
+/// What `f` returns, a part of what [`in_wide_or`] calls, as a function of its own.
 #[inline(never)]
-pub(crate) fn part_in_widest<F: FnOnce() -> R, R>(f: F) -> R {
-    in_widest_or(f, || panic!("a long kernel in lanes needs a processor with AVX2: take one of f64"))
+pub(crate) fn part_in_wide<F: FnOnce() -> R, R>(f: F) -> R {
+    in_wide_or(f, || panic!("a long kernel in lanes needs a processor with AVX2: take one of f64"))
 }
 
 /// Two numbers that go through the same operations, as the instructions of the machine have them: of arrays the compiler would make vectors of its own choice.

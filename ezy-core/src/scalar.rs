@@ -23,7 +23,7 @@ mod random;
 #[cfg(feature = "export")]
 mod recorded;
 
-pub(crate) use crate::machine::{in_widest, in_widest_or, part_in_widest};
+pub(crate) use crate::machine::{in_wide, in_wide_or, in_widest, in_widest_or, part_in_wide};
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;

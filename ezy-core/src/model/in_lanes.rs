@@ -9,7 +9,7 @@ pub const N_LANES: usize = 8;
 /// Eight numbers, one a state.
 pub(crate) type Eight = Lanes<N_LANES>;
 
-/// Kernels of a scene with a generated elimination, at eight states at once, in the widest vector registers of the machine. Arguments and shapes
+/// Kernels of a scene with a generated elimination, at eight states at once, in vector registers of the machine. Arguments and shapes
 /// are those of [`Equations`], with a time for each state.
 pub trait EquationsInLanes: Send + Sync {
     /// [`Equations::accelerations`].
@@ -87,15 +87,15 @@ impl<S: Equations<f64> + Powers<f64> + Equations<Eight> + Powers<Eight>> Equatio
     }
 }
 
-/// Kernels in lanes as a processor has them: compiled for the widest vector registers, or those of `f64` one state after the other, with the same bits for angles up to
+/// Kernels in lanes as a processor has them: compiled for wide vector registers, or those of `f64` one state after the other, with the same bits for angles up to
 /// 1e6 rad. These allocate.
 pub(crate) mod kernels {
     use crate::model::quasi_velocities::QuasiVelocities;
     use crate::model::{Equations, Pivots, Powers};
-    use crate::scalar::{Lanes, in_widest_or};
+    use crate::scalar::{Lanes, in_wide_or, in_widest_or};
 
     macro_rules! kernels {
-        ($($name:ident of $equations:ident: ($($read:ident),*) -> ($($written:ident),*) $(-> $result:ty)?;)*) => {
+        ($($name:ident of $equations:ident by $registers:ident: ($($read:ident),*) -> ($($written:ident),*) $(-> $result:ty)?;)*) => {
             $(#[expect(clippy::allow_attributes, reason = "some of them have few arguments")]
             #[allow(clippy::too_many_arguments, reason = "those of the kernel")]
             pub(crate) fn $name<const L: usize, S: $equations<f64> + $equations<Lanes<L>>>(
@@ -107,7 +107,7 @@ pub(crate) mod kernels {
             ) $(-> $result)? {
                 // both closures write, and one is called
                 let written = std::cell::RefCell::new([$($written),*]);
-                in_widest_or(
+                $registers(
                     #[inline(always)]
                     || {
                         let [$($written),*] = &mut *written.borrow_mut();
@@ -140,15 +140,15 @@ pub(crate) mod kernels {
         (count $one:ident $two:ident) => { 2 };
     }
     kernels!(
-        accelerations of Equations: (q, v) -> (a, lambda) -> Pivots;
-        correction of Equations: (q, residual) -> (delta) -> Pivots;
-        position_constraint of Equations: (q) -> (out);
-        velocity_constraint of Equations: (q, v) -> (out);
-        state_rates of Equations: (q, v) -> (out);
-        powers of Powers: (q, v, lambda) -> (out);
-        velocities of QuasiVelocities: (q, u) -> (v);
-        values_of_time of QuasiVelocities: () -> (of_time);
-        whole_state of QuasiVelocities: (q, u) -> (out, v);
+        accelerations of Equations by in_wide_or: (q, v) -> (a, lambda) -> Pivots;
+        correction of Equations by in_wide_or: (q, residual) -> (delta) -> Pivots;
+        position_constraint of Equations by in_wide_or: (q) -> (out);
+        velocity_constraint of Equations by in_wide_or: (q, v) -> (out);
+        state_rates of Equations by in_wide_or: (q, v) -> (out);
+        powers of Powers by in_wide_or: (q, v, lambda) -> (out);
+        velocities of QuasiVelocities by in_wide_or: (q, u) -> (v);
+        values_of_time of QuasiVelocities by in_wide_or: () -> (of_time);
+        whole_state of QuasiVelocities by in_widest_or: (q, u) -> (out, v);
     );
 }
 
@@ -219,7 +219,7 @@ mod tests {
     use super::*;
     use crate::dynamics::system_of;
     use crate::linalg::Backend;
-    use crate::machine::narrow::on_narrow_processor;
+    use crate::machine::narrow::assert_same_on_each_processor;
     use crate::model::{Derived as _, Scene};
 
     crate::model! {
@@ -256,7 +256,7 @@ mod tests {
 
     /// Kernels of one state after the other are those in lanes.
     #[test]
-    fn invariant_kernels_on_a_narrow_processor_have_the_same_bits() {
+    fn invariant_kernels_on_each_processor_have_the_same_bits() {
         let scene = row::Slides::default();
         let system = system_of(&scene as &dyn Scene, Backend::Auto).unwrap();
         let info = scene.info();
@@ -280,6 +280,6 @@ mod tests {
             assert!(found.iter().all(|x| x.0.iter().all(|x| x.is_finite() && *x != 0.0)));
             (pivots.map(|pivots| (pivots.all_keep(), pivots.smallest())), found)
         };
-        assert_eq!(computed(), on_narrow_processor(computed));
+        assert_same_on_each_processor(computed);
     }
 }

@@ -3,7 +3,7 @@
 use super::in_lanes::{kernels, largest_change, one_by_one, times};
 use super::quasi_velocities::{QuasiShape, QuasiVelocities};
 use super::{Eight, N_LANES};
-use crate::scalar::{Scalar, in_widest_or};
+use crate::scalar::{Scalar, in_wide_or, in_widest_or};
 use std::cell::RefCell;
 use std::slice::from_ref;
 
@@ -75,7 +75,7 @@ pub struct AtStage<'a> {
     pub q: &'a mut [Eight],
 }
 
-/// [`QuasiVelocities`] as a run takes them: accelerations at eight states at once, in the widest vector registers of the machine.
+/// [`QuasiVelocities`] as a run takes them: accelerations at eight states at once, in vector registers of the machine.
 pub trait EquationsInQuasiVelocities: Send + Sync {
     /// The kernels of one state.
     fn of_one(&self) -> &dyn QuasiVelocities<f64>;
@@ -172,7 +172,7 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight> + QuasiShape> EquationsInQ
         goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
     ) {
         let made = RefCell::new((at, goes_on));
-        in_widest_or(
+        in_wide_or(
             #[inline(always)]
             || {
                 let (at, goes_on) = &mut *made.borrow_mut();
@@ -259,7 +259,7 @@ fn sweeps(
     velocities(q, &values[..n_u], v);
 }
 
-/// The same on a processor without the widest registers, by kernels of one state after the other. It is compiled once, not for each scene.
+/// The same on a processor without wide registers, by kernels of one state after the other. It is compiled once, not for each scene.
 #[cold]
 fn sweeps_one_by_one(
     of: Times<'_>,
@@ -343,7 +343,7 @@ fn combine<const N: usize>(
     }
 }
 
-/// The same on a processor without the widest registers, as [`sweeps_one_by_one`].
+/// The same on a processor without wide registers, as [`sweeps_one_by_one`].
 #[cold]
 fn stages_one_by_one(
     of: Stages<'_>,

@@ -29,7 +29,7 @@ mod sin_cos;
 #[cfg(test)]
 mod tests;
 
-use super::{Scalar, part_in_widest};
+use super::{Scalar, part_in_wide};
 use std::ops::Neg;
 
 /// `L` numbers that go through the same operations, one a trajectory; 4 and 8 fill vector registers.
@@ -131,7 +131,7 @@ impl<const L: usize> Scalar for Lanes<L> {
 
     #[inline(always)]
     fn in_part<R>(f: impl FnOnce() -> R) -> R {
-        part_in_widest(f)
+        part_in_wide(f)
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Lanes, Scalar, in_widest};
+use super::{Lanes, Scalar, in_wide};
 
 /// Methods of [`Scalar`] that are those of `f64` by the same names.
 macro_rules! as_in_std {
@@ -41,10 +41,12 @@ impl Scalar for f64 {
         const { assert!(N <= 4, "up to four angles") };
         let mut four = [0.0; 4];
         four[..N].copy_from_slice(&angles);
-        let [sin, cos] = of_four(&four);
+        let [a, b, c, d] = four;
         let mut found = [(0.0, 0.0); N];
-        for i in 0..N {
-            found[i] = (sin[i], cos[i]);
+        if N <= 2 {
+            write_each(of_two(a, b), &mut found);
+        } else {
+            write_each(of_four(a, b, c, d), &mut found);
         }
         found
     }
@@ -90,15 +92,24 @@ impl Scalar for f64 {
     }
 }
 
-/// Compiled here, and not with the kernels that ask for it: these are not optimised in a development build.
+#[inline(always)]
+fn write_each<const L: usize>((Lanes(sin), Lanes(cos)): (Lanes<L>, Lanes<L>), out: &mut [(f64, f64)]) {
+    out.iter_mut().zip(sin.into_iter().zip(cos)).for_each(|(out, found)| *out = found);
+}
+
+// These are compiled here, and not with the kernels that ask for them, which are not optimised in a development build. Angles come in registers: what was stored one by one, and
+// is read as a vector, waits for the memory.
+
 #[inline(never)]
-fn of_four(angles: &[f64; 4]) -> [[f64; 4]; 2] {
-    in_widest(
+fn of_two(a: f64, b: f64) -> (Lanes<2>, Lanes<2>) {
+    Lanes([a, b]).sin_cos()
+}
+
+#[inline(never)]
+fn of_four(a: f64, b: f64, c: f64, d: f64) -> (Lanes<4>, Lanes<4>) {
+    in_wide(
         #[inline(always)]
-        || {
-            let (Lanes(sin), Lanes(cos)) = Lanes(*angles).sin_cos();
-            [sin, cos]
-        },
+        || Lanes([a, b, c, d]).sin_cos(),
     )
 }
 

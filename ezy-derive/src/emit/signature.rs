@@ -213,7 +213,7 @@ impl Signature {
             quote!(#name: &mut [#number])
         });
         let (inline, other, result) = match self.writes {
-            // kernels in lanes are compiled for the widest registers only where they are inlined
+            // kernels in lanes are compiled for wide registers only where they are inlined
             Writes::Solution(_) if matches!(self.quantity, Quantity::Accelerations | Quantity::Correction) => {
                 (quote!(#[inline(always)]), None, quote!(-> ezy::Pivots))
             }

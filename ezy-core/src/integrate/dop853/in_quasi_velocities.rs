@@ -238,7 +238,7 @@ mod tests {
     use super::*;
     use crate::dynamics::{System, system_of};
     use crate::linalg::Backend;
-    use crate::machine::narrow::on_narrow_processor;
+    use crate::machine::narrow::assert_same_on_each_processor;
     use crate::model::{Equations as _, Scene};
     use crate::scalar::packed;
     use std::array::from_fn;
@@ -342,9 +342,9 @@ mod tests {
     }
 
     #[test]
-    fn invariant_runs_on_a_narrow_processor_have_the_same_bits() {
+    fn invariant_runs_on_each_processor_have_the_same_bits() {
         let scenes = scenes();
-        assert_eq!(end(&scenes), on_narrow_processor(|| end(&scenes)));
+        assert_same_on_each_processor(|| end(&scenes));
     }
 
     /// A front wheel at the hinge says nothing of how the bar turns; and quasi-velocities cannot say that a wheel slips, however little, in any lane.

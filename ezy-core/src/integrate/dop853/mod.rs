@@ -19,7 +19,7 @@ use crate::archive::Archive;
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::tolerances::dop853::ROUNDING;
 use crate::model::coordinate::is_angle;
-use crate::scalar::{Scalar, in_widest};
+use crate::scalar::{Scalar, in_wide};
 use sums::{Block, Sum, WIDTH, stages};
 use tableau::{COUNTS, N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES};
 
@@ -138,7 +138,7 @@ impl<T: Scalar> Dop853<T> {
         self.next_rest.copy_from_slice(&self.rest);
         let starts = self.start.as_flattened().iter().zip(self.next_rest.as_flattened_mut());
         let ends = starts.zip(self.stage.as_flattened_mut());
-        in_widest(
+        in_wide(
             #[inline(always)]
             || ends.for_each(|((start, rest), stage)| *stage = compensated::add(*start, length * *stage, rest)),
         );
@@ -272,7 +272,7 @@ impl<T: Scalar> Dop853<T> {
     fn weighted_error(&self, h: f64, tolerance: Tolerance) -> f64 {
         // apart, since a test of each number would keep the loop from running in lanes
         match tolerance.angle {
-            None => in_widest(
+            None => in_wide(
                 #[inline(always)]
                 || self.error_by(h, tolerance, |_, size| scale(tolerance, size)),
             ),

@@ -4,7 +4,7 @@ use super::tableau::{
     AT_END, DENSE_14, DENSE_15, DENSE_16, N_STAGES_OF_DENSE_OUTPUT, N_SUMS, STAGE_2, STAGE_3, STAGE_4, STAGE_5,
     STAGE_6, STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STEP,
 };
-use crate::scalar::{Scalar, in_widest};
+use crate::scalar::{Scalar, in_wide};
 
 /// Numbers of y that are computed together; y is padded with zeros to a whole number of blocks.
 pub(super) type Block<T> = [T; WIDTH];
@@ -35,11 +35,11 @@ pub(super) fn advance<const N: usize, T: Scalar>(
     }
 }
 
-/// Sums with these weights, which stay literals where they are compiled for the widest registers.
-macro_rules! widest {
+/// Sums with these weights, which stay literals where they are compiled for wide registers.
+macro_rules! wide {
     ($($weights:ident),*) => {
         [$(|slopes, start, h, out| {
-            in_widest(
+            in_wide(
                 #[inline(always)]
                 || advance($weights, slopes, start, h, out),
             )
@@ -49,7 +49,7 @@ macro_rules! widest {
 
 /// From the start to each stage from the second on; the thirteenth is the end of the step.
 pub(super) const fn stages<T: Scalar>() -> [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] {
-    widest![
+    wide![
         STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STEP,
         DENSE_14, DENSE_15, DENSE_16
     ]
@@ -57,7 +57,7 @@ pub(super) const fn stages<T: Scalar>() -> [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1
 
 /// The step over its length, its errors of orders 5 and 3, and the sixth difference, from the slopes of the stages of a step.
 pub(super) fn at_end<T: Scalar>(slopes: &[Block<T>], step: &mut [Block<T>], errors: &mut [Vec<Block<T>>; 3]) {
-    in_widest(
+    in_wide(
         #[inline(always)]
         || {
             let n = step.len();

@@ -3,7 +3,7 @@
 use super::tableau::{N, NODES};
 use crate::integrate::tolerances::gauss::{OF_SWEEPS, ROUNDING, UNEXPECTED};
 use crate::model::{Eight, N_LANES};
-use crate::scalar::{Lanes, Scalar, in_widest};
+use crate::scalar::{Lanes, Scalar, in_wide};
 
 /// 15!! = 15 · 13 · … · 1
 const DOUBLE_FACTORIAL_OF_15: f64 = 2_027_025.0;
@@ -60,7 +60,7 @@ impl StepError {
         let [mut defect, mut roughest, mut own] = [Eight::from_f64(0.0); 3];
         let (of_eight, mut largest) = (&mut self.of_eight, [0.0; 3]);
         let eights = coefficients.chunks(N_LANES).zip(weights.chunks(N_LANES)).zip(at_start.chunks(N_LANES));
-        in_widest(
+        in_wide(
             #[inline(always)]
             || {
                 for (of_eight, ((coefficients, weights), at_start)) in of_eight.iter_mut().zip(eights) {
@@ -104,7 +104,7 @@ impl StepError {
     pub(super) fn by_end(&self, at_end: &[f64]) -> f64 {
         let rounding = OF_SWEEPS + self.rounding;
         let [mut unexpected, mut own] = [0.0; 2];
-        in_widest(
+        in_wide(
             #[inline(always)]
             || {
                 let [mut surprises, mut left] = [Eight::from_f64(0.0); 2];

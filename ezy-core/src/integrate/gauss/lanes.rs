@@ -1,13 +1,13 @@
-//! What is done with values at all nodes of a step, in the widest vector registers.
+//! What is done with values at all nodes of a step, in wide vector registers.
 
 use super::tableau::{N, NODES, RECURRENCE, TO_COEFFICIENTS, TO_INTEGRALS};
 use crate::model::Eight;
 use crate::model::in_lanes::{largest_change, times};
-use crate::scalar::{Lanes, Scalar, in_widest};
+use crate::scalar::{Lanes, Scalar, in_wide};
 
 /// `out = start + h · integrals of the slopes`, at each node.
 pub(super) fn integrate(h: f64, start: &[f64], slopes: &[Eight], out: &mut [Eight]) {
-    in_widest(
+    in_wide(
         #[inline(always)]
         || {
             for ((out, start), slope) in out.iter_mut().zip(start).zip(slopes) {
@@ -19,7 +19,7 @@ pub(super) fn integrate(h: f64, start: &[f64], slopes: &[Eight], out: &mut [Eigh
 
 /// The same of some numbers, each with the place of its slope; the others are left alone.
 pub(super) fn integrate_some(h: f64, start: &[f64], slopes: &[Eight], which: &[(usize, usize)], out: &mut [Eight]) {
-    in_widest(
+    in_wide(
         #[inline(always)]
         || {
             for &(i, slope) in which {
@@ -31,7 +31,7 @@ pub(super) fn integrate_some(h: f64, start: &[f64], slopes: &[Eight], which: &[(
 
 /// Legendre coefficients of each number, from P_0 on.
 pub(super) fn coefficients(values: &[Eight], out: &mut [Eight]) {
-    in_widest(
+    in_wide(
         #[inline(always)]
         || {
             for (values, out) in values.iter().zip(out) {
@@ -43,7 +43,7 @@ pub(super) fn coefficients(values: &[Eight], out: &mut [Eight]) {
 
 /// Legendre coefficients of each number, and the largest one of each degree, each number with its weight.
 pub(super) fn coefficients_and_sizes(values: &[Eight], weights: &[f64], out: &mut [Eight]) -> [f64; N] {
-    in_widest(
+    in_wide(
         #[inline(always)]
         || {
             let mut largest = Lanes([0.0; N]);
@@ -59,7 +59,7 @@ pub(super) fn coefficients_and_sizes(values: &[Eight], weights: &[f64], out: &mu
 /// Values, by the coefficients up to a degree, at the nodes of a step that begins at `start` and is `length` long, in units of the step that
 /// the coefficients belong to.
 pub(super) fn evaluate(coefficients: &[Eight], degree: usize, start: f64, length: f64, out: &mut [Eight]) {
-    in_widest(
+    in_wide(
         #[inline(always)]
         || {
             let x = NODES.fused(Eight::from_f64(2.0 * length), Eight::from_f64(2.0 * start - 1.0));
@@ -80,7 +80,7 @@ pub(super) fn evaluate(coefficients: &[Eight], degree: usize, start: f64, length
 
 /// The largest change of a number between two sweeps, each with its weight.
 pub(super) fn change(one: &[Eight], other: &[Eight], weights: &[f64]) -> f64 {
-    in_widest(
+    in_wide(
         #[inline(always)]
         || largest_change(one, other, weights),
     )
@@ -88,7 +88,7 @@ pub(super) fn change(one: &[Eight], other: &[Eight], weights: &[f64]) -> f64 {
 
 /// The largest value of a number, each with its weight.
 pub(super) fn size(values: &[Eight], weights: &[f64]) -> f64 {
-    in_widest(
+    in_wide(
         #[inline(always)]
         || {
             let mut size = 0.0_f64;
@@ -102,7 +102,7 @@ pub(super) fn size(values: &[Eight], weights: &[f64]) -> f64 {
 
 /// The largest coefficient of each degree, each number with its weight.
 pub(super) fn sizes(coefficients: &[Eight], weights: &[f64]) -> [f64; N] {
-    in_widest(
+    in_wide(
         #[inline(always)]
         || {
             let mut largest = Lanes([0.0; N]);

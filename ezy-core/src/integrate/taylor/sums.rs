@@ -1,7 +1,7 @@
 //! The sums of all products of one order: a third of the time of a step.
 
 use crate::model::{PRODUCT_GROUP, SeriesStore};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, in_wide};
 
 /// `sums = Σ left_j right_{n−j}` over j = 1 … n − 1, for `n` ≥ 2.
 ///
@@ -9,13 +9,17 @@ use crate::scalar::Scalar;
 /// n − 1 multiplications and additions for each product, eight products at a time in vector registers.
 pub(super) fn sum_products<T: Scalar>(store: &mut SeriesStore<T>, n: usize) {
     if size_of::<T>() == size_of::<f64>() {
-        sum_groups::<T, PRODUCT_GROUP>(store, n);
+        in_wide(
+            #[inline(always)]
+            || sum_groups::<T, PRODUCT_GROUP>(store, n),
+        );
     } else {
         // a wider number fills the registers by itself
         sum_groups::<T, 1>(store, n);
     }
 }
 
+#[inline(always)]
 fn sum_groups<T: Scalar, const WIDTH: usize>(store: &mut SeriesStore<T>, n: usize) {
     let SeriesStore { left, right, sums, .. } = store;
     let (sums, _) = sums.as_chunks_mut::<WIDTH>();

@@ -19,8 +19,9 @@ pub(crate) struct EightStates {
     pub lambda: Vec<Eight>,
     /// The smallest pivot of the eliminations of all eight; infinite where they were not eliminated.
     pub smallest_pivot: f64,
-    /// What kernels read as `c`.
+    /// What kernels read as `c`, in each lane and once.
     pub fixed: Vec<Eight>,
+    of_each: Vec<f64>,
     one: OneState,
 }
 
@@ -48,6 +49,7 @@ impl EightStates {
             lambda: zeros(n_c),
             smallest_pivot: f64::INFINITY,
             fixed: Vec::new(),
+            of_each: Vec::new(),
             one: OneState { q: zero(n_q), v: zero(n_q), a: zero(n_q), lambda: zero(n_c) },
         }
     }
@@ -63,10 +65,13 @@ impl EightStates {
 
     /// Takes over what kernels read in the present step.
     pub(crate) fn begin<P: SceneRef>(&mut self, system: &System<P>) {
-        let same = |(eight, x): (&Eight, &f64)| eight.0[0].to_bits() == x.to_bits();
-        if self.fixed.len() != system.fixed.len() || !self.fixed.iter().zip(&system.fixed).all(same) {
-            self.fixed.clear();
-            self.fixed.extend(system.fixed.iter().map(|&x| Eight::from_f64(x)));
+        let Self { fixed, of_each, .. } = self;
+        // all are compared, without a branch at each
+        let change = of_each.iter().zip(&system.fixed).fold(0, |change, (x, y)| change | (x.to_bits() ^ y.to_bits()));
+        if change != 0 || of_each.len() != system.fixed.len() {
+            of_each.clone_from(&system.fixed);
+            fixed.clear();
+            fixed.extend(of_each.iter().map(|&x| Eight::from_f64(x)));
         }
     }
 

@@ -42,13 +42,7 @@ impl Scalar for f64 {
         let mut four = [0.0; 4];
         four[..N].copy_from_slice(&angles);
         let [a, b, c, d] = four;
-        let mut found = [(0.0, 0.0); N];
-        if N <= 2 {
-            write_each(of_two(a, b), &mut found);
-        } else {
-            write_each(of_four(a, b, c, d), &mut found);
-        }
-        found
+        if N <= 2 { of_each(of_two(a, b)) } else { of_each(of_four(a, b, c, d)) }
     }
 
     #[inline(always)]
@@ -92,9 +86,14 @@ impl Scalar for f64 {
     }
 }
 
+/// The first lanes.
 #[inline(always)]
-fn write_each<const L: usize>((Lanes(sin), Lanes(cos)): (Lanes<L>, Lanes<L>), out: &mut [(f64, f64)]) {
-    out.iter_mut().zip(sin.into_iter().zip(cos)).for_each(|(out, found)| *out = found);
+fn of_each<const N: usize, const L: usize>((Lanes(sin), Lanes(cos)): (Lanes<L>, Lanes<L>)) -> [(f64, f64); N] {
+    let mut found = [(0.0, 0.0); N];
+    for i in 0..N.min(L) {
+        found[i] = (sin[i], cos[i]);
+    }
+    found
 }
 
 // These are compiled here, and not with the kernels that ask for them, which are not optimised in a development build. Angles come in registers: what was stored one by one, and

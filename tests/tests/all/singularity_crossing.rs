@@ -212,12 +212,12 @@ fn cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch() {
     }
 }
 
-/// Of 10 sizes, which rounding tells apart.
+/// Of 40 sizes, which rounding tells apart.
 #[test]
 fn cross_change_points_are_passed_by_the_smallest_tolerance() {
     let [.., third, _] = change_points();
-    for i in 0..10 {
-        let size = 1.0 + 1e-3 * f64::from(i);
+    for i in 0..40 {
+        let size = 1.0 + 1e-4 * f64::from(i);
         let of = |length: f64| size * length;
         let four_bar::Turning { base, l1, l2, l3, .. } = third;
         let scene = four_bar::Turning { base: of(base), l1: of(l1), l2: of(l2), l3: of(l3), ..Default::default() };

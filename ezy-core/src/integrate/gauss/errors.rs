@@ -181,11 +181,17 @@ fn decay<T: Scalar>(from: T, to: T) -> T {
     ((to + least) / (from + least)).min(T::from_f64(1.0))
 }
 
+/// The larger one of two neighbours.
+#[inline(always)]
+fn larger<T: Scalar>(sizes: &[T; N], m: usize) -> T {
+    sizes[m].max(sizes[m + 1])
+}
+
 /// Each coefficient is smaller by the same factor, which stands behind it: that of the last four degrees, since coefficients between may be
 /// small by chance.
 #[inline(always)]
 fn next_by_one_decay<T: Scalar>(sizes: &[T; N]) -> Next<T> {
-    let [first, last] = [2, 6].map(|m| sizes[m].max(sizes[m + 1]));
+    let (first, last) = (larger(sizes, 2), larger(sizes, 6));
     Next::new(sizes, decay(first, last).sqrt())
 }
 
@@ -194,7 +200,7 @@ fn next_by_one_decay<T: Scalar>(sizes: &[T; N]) -> Next<T> {
 /// small by symmetry.
 #[inline(always)]
 fn next_by_two_decays<T: Scalar>(sizes: &[T; N], lacks: T) -> Next<T> {
-    let [first, earlier, later] = [2, 4, 6].map(|m| sizes[m].max(sizes[m + 1]));
+    let (first, earlier, later) = (larger(sizes, 2), larger(sizes, 4), larger(sizes, 6));
     // over two degrees
     let (before, last) = (decay(first, earlier), decay(earlier, later));
     let slower = (last * last / before).min(T::from_f64(1.0)).max(last);

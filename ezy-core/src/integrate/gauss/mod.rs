@@ -19,7 +19,7 @@ use control::GaussControl;
 use convergence::{Convergence, Sweeps};
 use errors::{StepError, next_coefficient};
 use quasi::QuasiSweeps;
-use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, legendre, weights_up_to};
+use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, WEIGHTS_OF_INTEGRAL, legendre, weights_up_to};
 
 /// What became of a step that was tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,6 +62,8 @@ pub(crate) struct Gauss {
     tried_s: Option<f64>,
     /// Change of an acceleration to change of the state over the tolerance.
     weights: Vec<f64>,
+    /// Whether velocities at the nodes are the integrals of the accelerations there.
+    has_velocities: bool,
     /// Power of each effect at the nodes, and change of a power to change of the work over the tolerance.
     power: Vec<Eight>,
     work_weights: Vec<f64>,
@@ -99,6 +101,7 @@ impl Gauss {
             last_s: None,
             tried_s: None,
             weights: vec![0.0; n_q],
+            has_velocities: false,
             power: zeros(n_works),
             work_weights: vec![0.0; n_works],
             of_power: zeros(n_works),
@@ -154,6 +157,7 @@ impl Gauss {
             }
         };
         let Some(Convergence { steepness }) = converged else { return Ok(Collocated::Diverged) };
+        self.has_velocities = false;
         self.complete(system, from.state, h);
         self.end(from.state, h, to);
         let [error, dense_error] = self.errors(from, steepness);
@@ -226,13 +230,20 @@ impl Gauss {
         }
     }
 
-    /// Velocities and powers at the nodes, from the accelerations there.
+    /// Velocities at the nodes, from the accelerations there.
+    fn integrate_velocities(&mut self, from: &State, h: f64) {
+        if !std::mem::replace(&mut self.has_velocities, true) {
+            lanes::integrate(h, &from.v, &self.nodes.a, &mut self.nodes.v);
+        }
+    }
+
+    /// Powers at the nodes, from the accelerations there.
     fn complete<P: SceneRef>(&mut self, system: &System<P>, from: &State, h: f64) {
-        let Self { nodes, power, .. } = self;
-        lanes::integrate(h, &from.v, &nodes.a, &mut nodes.v);
-        if power.is_empty() {
+        if self.power.is_empty() {
             return;
         }
+        self.integrate_velocities(from, h);
+        let Self { nodes, power, .. } = self;
         lanes::integrate(h, &from.q, &nodes.v, &mut nodes.q);
         nodes.powers(system, power);
     }
@@ -241,8 +252,11 @@ impl Gauss {
     fn end(&mut self, from: &State, h: f64, to: &mut State) {
         let Self { nodes, power, rest, next_rest, .. } = self;
         next_rest.copy_from(rest);
+        let of_q = to.q.iter_mut().zip(&from.q).zip(&from.v).zip(&mut next_rest.q);
+        for ((((to, from), v), rest), a) in of_q.zip(&nodes.a) {
+            *to = compensated::add(*from, h * (v + h * lanes::sum(&WEIGHTS_OF_INTEGRAL, a)), rest);
+        }
         let parts = [
-            (&mut to.q, &from.q, &nodes.v, &mut next_rest.q),
             (&mut to.v, &from.v, &nodes.a, &mut next_rest.v),
             (&mut to.work, &from.work, &*power, &mut next_rest.work),
         ];
@@ -277,9 +291,11 @@ impl Gauss {
     }
 
     /// The state at `s` of the step that was tried last, from 0 to 1, not projected; its time is left alone.
-    pub(crate) fn dense_at(&self, from: &State, s: f64, out: &mut State) {
-        let Self { nodes, power, tried_s, .. } = self;
-        interpolate(from, tried_s.unwrap_or_default(), [&nodes.v, &nodes.a, power], s, out);
+    pub(crate) fn dense_at(&mut self, from: &State, s: f64, out: &mut State) {
+        let h = self.tried_s.unwrap_or_default();
+        self.integrate_velocities(from, h);
+        let Self { nodes, power, .. } = self;
+        interpolate(from, h, [&nodes.v, &nodes.a, power], s, out);
     }
 
     /// The same by the end of a step of their own for each of `n_parts` equal parts, whose polynomials have errors as many times smaller to the
@@ -323,6 +339,8 @@ impl Gauss {
             if !matches!(self.sweep(system, &start, h), Ok(Some(_))) {
                 continue_polynomial(self);
             }
+            self.has_velocities = false;
+            self.integrate_velocities(&start, h);
             self.complete(system, &start, h);
             let Self { nodes, power, parts, .. } = self;
             let part = &mut parts[i];

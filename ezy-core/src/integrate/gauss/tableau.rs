@@ -90,6 +90,17 @@ pub(super) const WEIGHTS: Eight = Lanes({
     b
 });
 
+/// Weights of the integral over the step of the integral up to each time: b_j (1 − c_j).
+pub(super) const WEIGHTS_OF_INTEGRAL: Eight = Lanes({
+    let mut b = WEIGHTS.0;
+    let mut i = 0;
+    while i < N {
+        b[i] *= 1.0 - NODES.0[i];
+        i += 1;
+    }
+    b
+});
+
 /// From values at the nodes to Legendre coefficients: f_m = (2m + 1) Σ b_j P_m(x_j) f(c_j).
 pub(super) static TO_COEFFICIENTS: [Eight; N] = {
     let mut columns = [Lanes([0.0; N]); N];
@@ -171,6 +182,19 @@ mod tests {
         let factorial = |n: i32| (1..=n).map(f64::from).product::<f64>();
         let missing = factorial(8).powi(4) / (17.0 * factorial(16).powi(2));
         assert!((1.0 / 17.0 - moment(16) - missing).abs() <= ROUNDING, "{missing:e}");
+    }
+
+    /// ∫ (1 − s) s^k, of the acceleration that is as s^k: 1/(k + 1) − 1/(k + 2), up to k = 14; and as the integral of integrals.
+    #[test]
+    fn cross_integrals_of_integrals_are_exact_for_polynomials_of_degree_fourteen() {
+        for k in 0..15 {
+            let moment = (0..N).map(|i| WEIGHTS_OF_INTEGRAL.0[i] * NODES.0[i].powi(k)).sum::<f64>();
+            assert!((moment - 1.0 / f64::from((k + 1) * (k + 2))).abs() <= ROUNDING, "{k}");
+        }
+        for j in 0..N {
+            let twice = (0..N).map(|i| WEIGHTS.0[i] * entry(i, j)).sum::<f64>();
+            assert!((twice - WEIGHTS_OF_INTEGRAL.0[j]).abs() <= ROUNDING, "{j}");
+        }
     }
 
     /// ∫ s^k up to the nodes, and up to other points, is exact for k below 8.

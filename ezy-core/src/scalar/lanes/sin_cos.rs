@@ -2,7 +2,7 @@
 //!
 //! # Source
 //! Reduction by π/2 in three parts: Cody, Waite, Software Manual for the Elementary Functions (1980). Polynomials: fdlibm,
-//! `k_sin.c` and `k_cos.c` (Sun Microsystems, 1993).
+//! `k_sin.c` and `k_cos.c` (Sun Microsystems, 1993); summed in pairs: Estrin, Organization of computer systems (1960).
 
 use crate::scalar::Scalar;
 use std::array::from_fn;
@@ -62,13 +62,14 @@ fn one(x: f64) -> (f64, f64) {
     let y = third - last;
     let tail = ((third - y) - last) + left;
     let z = y * y;
-    let inner_sin = [SIN[4], SIN[3], SIN[2], SIN[1]].into_iter().fold(SIN[5], |sum, k| sum.fused(z, k));
-    let cube = z * y;
-    let sin = y - ((z * (0.5 * tail - cube * inner_sin) - tail) - cube * SIN[0]);
-    let inner_cos = [COS[4], COS[3], COS[2], COS[1], COS[0]].into_iter().fold(COS[5], |sum, k| sum.fused(z, k));
+    let (square, cube) = (z * z, z * y);
+    // terms in pairs, and what does not wait for their sum before it: whoever asks waits for the last of these operations
+    let of_sin = SIN[2].fused(z, SIN[1]) + square * SIN[5].fused(square, SIN[4].fused(z, SIN[3]));
+    let sin = y - (((z * (0.5 * tail) - tail) - cube * SIN[0]) - (z * cube) * of_sin);
+    let of_cos = COS[1].fused(z, COS[0]) + square * COS[5].fused(z, COS[4]).fused(square, COS[3].fused(z, COS[2]));
     let half = 0.5 * z;
     let whole = 1.0 - half;
-    let cos = whole + (((1.0 - whole) - half) + (z * (z * inner_cos) - y * tail));
+    let cos = whole + ((((1.0 - whole) - half) - y * tail) + square * of_cos);
     // an odd number of quarter turns swaps them; the sign changes after two, of the cosine one earlier
     let swap = 0_u64.wrapping_sub(quarters & 1);
     let (sin, cos) = (sin.to_bits(), cos.to_bits());

@@ -49,6 +49,7 @@ fn analytic_large_arguments_and_what_is_no_number_go_to_f64() {
 fn analytic_zero_keeps_its_sine() {
     let (sin, cos) = Lanes([0.0; 8]).sin_cos();
     assert_eq!((sin, cos), (Lanes([0.0; 8]), Lanes([1.0; 8])));
+    assert_eq!(Lanes([-0.0]).sin_cos().0.0[0].to_bits(), (-0.0_f64).to_bits());
 }
 
 #[test]

@@ -6,14 +6,16 @@ use super::snapshot::Snapshot;
 use super::step_method::StepMethod;
 use crate::archive::Archive;
 use crate::dynamics::{Rows, State, System};
-use crate::integrate::Tolerance;
+use crate::integrate::{DOP853_ERROR_ORDER, Method, MethodKind, Tolerance};
 use crate::model::SceneRef;
+use crate::simulate::tolerances::crossing::LEAST_TOLERANCE;
 use crate::simulate::tolerances::singular::{CREEPING, FADING, TOO_NEAR};
 
 /// Looks ahead for singular positions, and keeps the step that crosses one.
 pub(in crate::simulate) struct SingularPositions {
     /// Whether they are crossed by special steps: only when steps are projected.
     crosses: bool,
+    of_crossing: f64,
     /// Made when it is first needed.
     crossing: Option<Box<SingularityCrossing>>,
     /// A buffer for positions ahead.
@@ -26,10 +28,20 @@ pub(in crate::simulate) struct SingularPositions {
     pub usual_s: f64,
 }
 
+/// Length of a step that crosses to that of the steps of the run: those of the same method keep a smaller tolerance where it is less than the least one of a crossing.
+fn of_crossing(method: Method) -> f64 {
+    let tolerance = method.tolerance().map(|tolerance| tolerance.relative.max(tolerance.absolute));
+    match tolerance.filter(|tolerance| method.kind() == MethodKind::Dop853 && *tolerance < LEAST_TOLERANCE) {
+        Some(tolerance) => (LEAST_TOLERANCE / tolerance).powf(1.0 / f64::from(DOP853_ERROR_ORDER)),
+        None => 1.0,
+    }
+}
+
 impl SingularPositions {
     /// `crosses`: whether they are crossed by special steps.
-    pub(super) fn new(crosses: bool) -> Self {
-        Self { crosses, crossing: None, foreseen: Vec::new(), crossed: None, n_shortened: 0, usual_s: 0.0 }
+    pub(super) fn new(crosses: bool, method: Method) -> Self {
+        let of_crossing = of_crossing(method);
+        Self { crosses, of_crossing, crossing: None, foreseen: Vec::new(), crossed: None, n_shortened: 0, usual_s: 0.0 }
     }
 
     /// Writes what the next steps depend on, or reads it. `tolerance` and `work` are those of the run.
@@ -83,14 +95,15 @@ impl SingularPositions {
                 return None;
             }
             let is_heading = self.crossing.as_ref().is_some_and(|crossing| crossing.is_heading());
+            let usual_s = self.of_crossing * self.usual_s;
             // on the way, the crossing itself knows where
             let within = match is_heading {
                 true => 0.0..0.0,
-                false => approach.ahead(system, self.usual_s, &mut self.foreseen)?,
+                false => approach.ahead(system, usual_s, &mut self.foreseen)?,
             };
             let new = || Box::new(SingularityCrossing::new(system, tolerance, work));
             let crossing = self.crossing.get_or_insert_with(new);
-            if !crossing.step(system, approach, within, self.usual_s) {
+            if !crossing.step(system, approach, within, usual_s) {
                 return None;
             }
             self.crossed = Some(crossing.crossed());

@@ -39,9 +39,9 @@ impl<P: SceneRef> StepperState<P> {
         let info = Arc::clone(system.info());
         let [now, next] = std::array::from_fn(|_| Snapshot::zero(&info, work));
         let projection = StateProjection::new(projection, metric);
-        let method = StepMethod::new(&system, method, now.power.len(), projection.is_complete())?;
         let crosses = projection.is_complete() && info.n_position_rows > 0;
-        let singular_positions = SingularPositions::new(crosses);
+        let singular_positions = SingularPositions::new(crosses, method);
+        let method = StepMethod::new(&system, method, now.power.len(), projection.is_complete())?;
         Ok(Self {
             system,
             method,

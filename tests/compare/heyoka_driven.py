@@ -5,7 +5,7 @@
 
 Equations by hand, reduced to two speeds by Kane's method: the speed of the rear wheel and the rate of the seat, then the angle of the bar
 against the seat, and heading and place of the seat. Time is that of the processor, of the integration alone: heyoka compiles its integrator
-once, which takes some tenths of a second and is left out.
+once, which is left out.
 """
 
 import json
@@ -29,20 +29,22 @@ def equations():
     """Rates of [u, omega, beta, theta, x, y] as heyoka takes them."""
     u, omega, beta, theta, x, y = hy.make_vars("u", "omega", "beta", "theta", "x", "y")
     s, c = hy.sin(beta), hy.cos(beta)
-    wheelbase, front = A + B, C + D
-    bar_omega = (u * s - wheelbase * omega * c) / front
+    # from the hinge to either wheel
+    rear, front = A + B, C + D
+    torque = M0 * hy.cos(OMEGA * hy.time)
+    bar_omega = (u * s - rear * omega * c) / front
     turning = bar_omega - omega
     # of the bar's centre along the bar; across it moves with -C bar_omega
-    along = u * c + wheelbase * omega * s
+    along = u * c + rear * omega * s
     about_wheel = M2 * C**2 + I2
     k = about_wheel / front**2
     m11 = M1 + M2 * c * c + k * s * s
-    m12 = (M2 - k) * wheelbase * s * c
-    m22 = M1 * A**2 + I1 + wheelbase**2 * (M2 * s * s + k * c * c)
+    m12 = (M2 - k) * rear * s * c
+    m22 = M1 * A**2 + I1 + rear**2 * (M2 * s * s + k * c * c)
     force = M2 * (C * bar_omega * bar_omega - turning * front * bar_omega)
-    moment = M0 * hy.cos(OMEGA * hy.time) + about_wheel * turning * along / front - M2 * C * along * bar_omega
+    moment = torque + about_wheel * turning * along / front - M2 * C * along * bar_omega
     f1 = M1 * A * omega * omega - force * c - moment * s / front
-    f2 = M0 * hy.cos(OMEGA * hy.time) + moment * wheelbase * c / front - M1 * A * u * omega - force * wheelbase * s
+    f2 = torque + moment * rear * c / front - M1 * A * u * omega - force * rear * s
     determinant = m11 * m22 - m12 * m12
     return [
         (u, (m22 * f1 - m12 * f2) / determinant),

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <vector>
 
 constexpr int N = 8;
 typedef double Eight __attribute__((vector_size(64)));

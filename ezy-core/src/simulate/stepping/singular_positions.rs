@@ -15,6 +15,7 @@ use crate::simulate::tolerances::singular::{CREEPING, FADING, TOO_NEAR};
 pub(in crate::simulate) struct SingularPositions {
     /// Whether they are crossed by special steps: only when steps are projected.
     crosses: bool,
+    /// Length of a step that crosses to that of the steps of the run.
     of_crossing: f64,
     /// Made when it is first needed.
     crossing: Option<Box<SingularityCrossing>>,
@@ -28,7 +29,7 @@ pub(in crate::simulate) struct SingularPositions {
     pub usual_s: f64,
 }
 
-/// Length of a step that crosses to that of the steps of the run: those of the same method keep a smaller tolerance where it is less than the least one of a crossing.
+/// Length of a step that crosses to that of the steps of the run. Steps that cross are of DOP853 and keep [`LEAST_TOLERANCE`]; those of a run by the same method may keep less.
 fn of_crossing(method: Method) -> f64 {
     let tolerance = method.tolerance().map(|tolerance| tolerance.relative.max(tolerance.absolute));
     match tolerance.filter(|tolerance| method.kind() == MethodKind::Dop853 && *tolerance < LEAST_TOLERANCE) {

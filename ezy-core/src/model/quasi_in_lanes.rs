@@ -45,6 +45,8 @@ pub struct Nodes<'a> {
     pub slopes: &'a mut Vec<Eight>,
     /// As many numbers, which are overwritten.
     pub before: &'a mut Vec<Eight>,
+    /// Four numbers for each of [`n_angles`](super::QuasiVelocitiesInfo::n_angles), which are overwritten.
+    pub turned: &'a mut [Eight],
     /// All coordinates; those that slopes depend on are written.
     pub q: &'a mut [Eight],
     /// All velocities, which are written.
@@ -103,8 +105,9 @@ pub trait EquationsInQuasiVelocities: Send + Sync {
 
     /// Sweeps of Picard's iteration at eight times, as long as `goes_on` says so of the largest change of a slope, each with its weight, and of the slopes.
     ///
-    /// Quasi-velocities and coordinates there are what they are at the start and `h` times the integrals of their slopes, then slopes are computed at
-    /// these: [`QuasiVelocities::quasi_accelerations`]. After the last sweep quasi-velocities, coordinates and velocities are those of its slopes.
+    /// Quasi-velocities and coordinates there are what they are at the start and `h` times the integrals of their slopes; coordinates of
+    /// [`feedback`](super::QuasiVelocitiesInfo::feedback) once more by their rates there, [`QuasiVelocities::rates`]. Then slopes are computed at these:
+    /// [`QuasiVelocities::quasi_accelerations`]. After the last sweep quasi-velocities, coordinates and velocities are those of its slopes.
     fn sweeps_in_lanes(
         &self,
         of: Times<'_>,
@@ -178,9 +181,15 @@ impl<S: QuasiVelocities<f64> + QuasiVelocities<Eight> + QuasiShape> EquationsInQ
                 let (at, goes_on) = &mut *made.borrow_mut();
                 let kernels = (
                     #[inline(always)]
-                    |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight]| {
-                        self.quasi_accelerations(of.c, *of.t, q, u, of.of_time, a, rate);
+                    |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight], sines: &mut [Eight]| {
+                        self.quasi_accelerations(of.c, *of.t, q, u, of.of_time, a, rate, sines);
                     },
+                    #[inline(always)]
+                    |q: &[Eight], u: &[Eight], sines: &[Eight], rate: &mut [Eight]| {
+                        self.rates(of.c, *of.t, q, u, of.of_time, sines, rate);
+                    },
+                    #[inline(always)]
+                    |q: &[Eight], out: &mut [Eight]| self.angles(of.c, *of.t, q, of.of_time, out),
                     #[inline(always)]
                     |q: &[Eight], u: &[Eight], v: &mut [Eight]| self.velocities(of.c, *of.t, q, u, v),
                 );
@@ -202,6 +211,7 @@ struct Shape {
     integrals: &'static [(usize, usize)],
     integrated: &'static [usize],
     n_read: usize,
+    n_angles: usize,
 }
 
 impl Shape {
@@ -214,11 +224,12 @@ impl Shape {
             integrals: S::INTEGRALS,
             integrated: S::INTEGRATED,
             n_read: S::N_READ,
+            n_angles: S::N_ANGLES,
         }
     }
 }
 
-/// [`EquationsInQuasiVelocities::sweeps_in_lanes`], with the kernels for u̇ and rates, and for velocities, at the times of the step.
+/// [`EquationsInQuasiVelocities::sweeps_in_lanes`], with the kernels at the times of the step: accelerations, rates, their angles, velocities.
 #[inline(always)]
 fn sweeps(
     of: Times<'_>,
@@ -226,26 +237,45 @@ fn sweeps(
     weights: &[f64],
     at: &mut Nodes<'_>,
     goes_on: &mut dyn FnMut(f64, &[Eight]) -> bool,
-    Shape { n_u, feedback, integrals, .. }: Shape,
-    (accelerate, velocities): (
-        impl Fn(&[Eight], &[Eight], &mut [Eight], &mut [Eight]),
+    Shape { n_u, feedback, integrals, n_angles, .. }: Shape,
+    (accelerate, rates, angles, velocities): (
+        impl Fn(&[Eight], &[Eight], &mut [Eight], &mut [Eight], &mut [Eight]),
+        impl Fn(&[Eight], &[Eight], &[Eight], &mut [Eight]),
+        impl Fn(&[Eight], &mut [Eight]),
         impl Fn(&[Eight], &[Eight], &mut [Eight]),
     ),
 ) {
     let n = n_u + feedback.len();
-    let Nodes { values, slopes, before, q, v } = at;
+    let Nodes { values, slopes, before, turned, q, v } = at;
     let (first, weights, values) = (&start.values[..n], &weights[..n], &mut values[..n]);
-    let mut goes_on_from_here = true;
+    let (sines, of_angles) = turned.split_at_mut(2 * n_angles);
+    let (known, present) = of_angles.split_at_mut(n_angles);
+    let (mut is_known, mut goes_on_from_here) = (false, true);
     loop {
         for i in 0..n {
             values[i] = of.integral(&slopes[i], first[i]);
         }
-        let (u, of_feedback) = values.split_at(n_u);
-        for (&i, value) in feedback.iter().zip(of_feedback) {
+        let (u, moved) = values.split_at_mut(n_u);
+        for (&i, value) in feedback.iter().zip(&*moved) {
             q[i] = *value;
         }
         for &(i, k) in integrals {
             q[i] = of.integral(&u[k], start.q[i]);
+        }
+        if !feedback.is_empty() {
+            // once more, by rates of the present quasi-velocities
+            angles(q, present);
+            for k in 0..n_angles {
+                let of_known = [sines[2 * k], sines[2 * k + 1]];
+                [sines[2 * k], sines[2 * k + 1]] =
+                    if is_known { turned_to(present[k], known[k], of_known) } else { present[k].sin_cos().into() };
+            }
+            let rate = &mut slopes[n_u..n];
+            rates(q, u, sines, rate);
+            for (k, &i) in feedback.iter().enumerate() {
+                moved[k] = of.integral(&rate[k], first[n_u + k]);
+                q[i] = moved[k];
+            }
         }
         if !goes_on_from_here {
             break;
@@ -253,10 +283,20 @@ fn sweeps(
         std::mem::swap(*before, *slopes);
         let (before, slopes) = (&before[..n], &mut slopes[..n]);
         let (a, rate) = slopes.split_at_mut(n_u);
-        accelerate(q, u, a, rate);
+        angles(q, known);
+        accelerate(q, u, a, rate, sines);
+        is_known = true;
         goes_on_from_here = goes_on(largest_change(slopes, before, weights), slopes);
     }
     velocities(q, &values[..n_u], v);
+}
+
+/// Sine and cosine of an angle by those of a known one, but for a sixth of the cube of their difference. Whoever asks moves closer to the known one.
+#[inline(always)]
+fn turned_to<T: Scalar>(angle: T, known: T, [sin, cos]: [T; 2]) -> [T; 2] {
+    let turn = angle - known;
+    let less = turn * turn * T::from_f64(-0.5);
+    [sin + (sin * less + cos * turn), cos + (cos * less - sin * turn)]
 }
 
 /// The same on a processor without wide registers, by kernels of one state after the other. It is compiled once, not for each scene.
@@ -271,10 +311,21 @@ fn sweeps_one_by_one(
     equations: &dyn QuasiVelocities<f64>,
 ) {
     let kernels = (
-        |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight]| {
+        |q: &[Eight], u: &[Eight], a: &mut [Eight], rate: &mut [Eight], sines: &mut [Eight]| {
             let read = [of.c, from_ref(of.t), q, u, of.of_time];
-            one_by_one(read, &mut [a, rate], |[c, t, q, u, of_time], [a, rate]| {
-                equations.quasi_accelerations(c, t[0], q, u, of_time, a, rate);
+            one_by_one(read, &mut [a, rate, sines], |[c, t, q, u, of_time], [a, rate, sines]| {
+                equations.quasi_accelerations(c, t[0], q, u, of_time, a, rate, sines);
+            });
+        },
+        |q: &[Eight], u: &[Eight], sines: &[Eight], rate: &mut [Eight]| {
+            let read = [of.c, from_ref(of.t), q, u, of.of_time, sines];
+            one_by_one(read, &mut [rate], |[c, t, q, u, of_time, sines], [rate]| {
+                equations.rates(c, t[0], q, u, of_time, sines, rate);
+            });
+        },
+        |q: &[Eight], out: &mut [Eight]| {
+            one_by_one([of.c, from_ref(of.t), q, of.of_time], &mut [out], |[c, t, q, of_time], [out]| {
+                equations.angles(c, t[0], q, of_time, out);
             });
         },
         |q: &[Eight], u: &[Eight], v: &mut [Eight]| {
@@ -358,4 +409,25 @@ fn stages_one_by_one(
             equations.motion(c, t[0], q, u, a, rate);
         });
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::turned_to;
+
+    /// The next terms of the series: −turn³/6 of the cosine and of the sine.
+    #[test]
+    fn analytic_a_known_angle_gives_sines_but_for_a_cube() {
+        const ROUNDING: f64 = 4.0 * f64::EPSILON;
+        for known in [0.0, 0.3, -2.0, 40.0_f64] {
+            for turn in [0.0, 1e-5, 1e-3, -1e-2_f64] {
+                let angle = known + turn;
+                let [sin, cos] = turned_to(angle, known, known.sin_cos().into());
+                let cube = turn.powi(3) / 6.0;
+                let tolerance = turn.powi(4) / 24.0 + ROUNDING;
+                assert!((angle.sin() - sin + cube * known.cos()).abs() <= tolerance, "{known} {turn}");
+                assert!((angle.cos() - cos - cube * known.sin()).abs() <= tolerance, "{known} {turn}");
+            }
+        }
+    }
 }

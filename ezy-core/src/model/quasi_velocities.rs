@@ -22,10 +22,28 @@ pub trait QuasiVelocities<T: Scalar>: Send + Sync {
     /// [`QuasiVelocitiesInfo::n_of_time`] numbers.
     fn values_of_time(&self, c: &[T], t: T, of_time: &mut [T]);
 
-    /// u̇, and the rates of the coordinates of [`QuasiVelocitiesInfo::feedback`]. Writes `n_u` and as many as these. Of q it reads those and
+    /// u̇, the rates of the coordinates of [`QuasiVelocitiesInfo::feedback`], and sine and cosine of each angle whose sine or cosine these rates read. Writes `n_u`,
+    /// as many as these coordinates, and two for each of [`QuasiVelocitiesInfo::n_angles`]. Of q it reads those coordinates and
     /// [`QuasiVelocitiesInfo::integrals`].
-    #[expect(clippy::too_many_arguments, reason = "a state, what is known of its time, and two results")]
-    fn quasi_accelerations(&self, c: &[T], t: T, q: &[T], u: &[T], of_time: &[T], a: &mut [T], rate: &mut [T]);
+    #[expect(clippy::too_many_arguments, reason = "a state, what is known of its time, and three results")]
+    fn quasi_accelerations(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        u: &[T],
+        of_time: &[T],
+        a: &mut [T],
+        rate: &mut [T],
+        sines: &mut [T],
+    );
+
+    /// These rates, from these sines and cosines.
+    #[expect(clippy::too_many_arguments, reason = "a state, and what is known of it and of its time")]
+    fn rates(&self, c: &[T], t: T, q: &[T], u: &[T], of_time: &[T], sines: &[T], rate: &mut [T]);
+
+    /// These angles. Writes [`QuasiVelocitiesInfo::n_angles`].
+    fn angles(&self, c: &[T], t: T, q: &[T], of_time: &[T], out: &mut [T]);
 
     /// u̇, and the rates of the coordinates of [`QuasiVelocitiesInfo::integrated`]. Writes `n_u` and as many as these. Of q it reads the first
     /// [`QuasiVelocitiesInfo::n_read`] of them.
@@ -47,6 +65,8 @@ pub trait QuasiShape {
     const INTEGRATED: &'static [usize];
     /// [`QuasiVelocitiesInfo::n_read`]
     const N_READ: usize;
+    /// [`QuasiVelocitiesInfo::n_angles`]
+    const N_ANGLES: usize;
 }
 
 /// What is known of the equations in quasi-velocities when they are compiled.
@@ -67,6 +87,8 @@ pub struct QuasiVelocitiesInfo {
     pub has_free_body: bool,
     /// How many numbers depend on time, inputs and parameters alone.
     pub n_of_time: usize,
+    /// How many angles there are whose sine or cosine the rates of `feedback` read.
+    pub n_angles: usize,
     /// Operations of [`QuasiVelocities::quasi_accelerations`].
     pub operations: Operations,
 }

@@ -52,8 +52,10 @@ pub(super) fn against_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Ve
             continue;
         }
         let Some(oracle) = solve_motion(&mut system, &state) else { continue };
-        let (a, rates) = in_lanes.accelerations(*t, q, u, &info);
-        rates.iter().zip(info.feedback).for_each(|(rate, &i)| of_rows.compare(*rate, v[i], size));
+        let (a, both_rates) = in_lanes.accelerations(*t, q, u, &info);
+        for rates in both_rates {
+            rates.iter().zip(info.feedback).for_each(|(rate, &i)| of_rows.compare(*rate, v[i], size));
+        }
         info.integrals.iter().for_each(|&(i, k)| of_rows.compare(u[k], v[i], size));
         let of_stage = in_lanes.stage(*t, q, u, &info);
         let (of_stage, stage_rates) = of_stage.split_at(n_u);
@@ -111,8 +113,8 @@ impl InLanes<'_> {
         slopes.into_iter().map(|slope| slope.0[0]).collect()
     }
 
-    /// u̇, and the rates of coordinates.
-    fn accelerations(&self, t: f64, q: &[f64], u: &[f64], info: &QuasiVelocitiesInfo) -> (Vec<f64>, Vec<f64>) {
+    /// u̇, and the rates of coordinates, with it and by themselves.
+    fn accelerations(&self, t: f64, q: &[f64], u: &[f64], info: &QuasiVelocitiesInfo) -> (Vec<f64>, [Vec<f64>; 2]) {
         let n = u.len() + info.feedback.len();
         let [mut values, mut slopes, mut of_time] = [n, n, info.n_of_time].map(|n| vec![Eight::from_f64(0.0); n]);
         let (t, mut before, mut at, mut v) = (Eight::from_f64(t), slopes.clone(), eights(q), eights(q));
@@ -121,11 +123,23 @@ impl InLanes<'_> {
         let integrals = [Eight::from_f64(0.0); N_LANES];
         let of = Times { c: &self.fixed, of_time: &of_time, t: &t, h: 0.0, integrals: &integrals };
         let start: Vec<f64> = u.iter().copied().chain(info.feedback.iter().map(|&i| q[i])).collect();
-        let nodes = Nodes { values: &mut values, slopes: &mut slopes, before: &mut before, q: &mut at, v: &mut v };
-        self.equations.sweeps_in_lanes(of, Start { values: &start, q }, &vec![0.0; n], nodes, &mut |_, _| false);
-        let rates = slopes.split_off(u.len());
-        let first = |of: Vec<Eight>| of.into_iter().map(|of| of.0[0]).collect();
-        (first(slopes), first(rates))
+        let mut turned = vec![Eight::from_f64(0.0); 4 * info.n_angles];
+        let nodes = Nodes {
+            values: &mut values,
+            slopes: &mut slopes,
+            before: &mut before,
+            turned: &mut turned,
+            q: &mut at,
+            v: &mut v,
+        };
+        let first = |of: &[Eight]| -> Vec<f64> { of.iter().map(|of| of.0[0]).collect() };
+        let mut of_sweep = Vec::new();
+        self.equations.sweeps_in_lanes(of, Start { values: &start, q }, &vec![0.0; n], nodes, &mut |_, slopes| {
+            of_sweep = first(slopes);
+            false
+        });
+        let rates = of_sweep.split_off(u.len());
+        (of_sweep, [rates, first(&slopes[u.len()..])])
     }
 }
 

@@ -62,7 +62,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
         let feedback = &quasi.feedback;
         let integrals = quasi.integrals.iter().map(|(i, k)| quote!((#i, #k)));
         let (integrated, n_read, has_free_body) = (&quasi.integrated, quasi.n_read, quasi.has_free_body);
-        let n_of_time = quasi.time_symbols.len();
+        let (n_of_time, n_angles) = (quasi.time_symbols.len(), quasi.angles.outputs().len());
         let operations = operations(count_of(Quantity::QuasiAccelerations));
         quote! {
             ezy::QuasiVelocitiesInfo {
@@ -73,6 +73,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
                 n_read: #n_read,
                 has_free_body: #has_free_body,
                 n_of_time: #n_of_time,
+                n_angles: #n_angles,
                 operations: #operations,
             }
         }

@@ -58,6 +58,7 @@ impl Method<'_> {
             "lambda" | "residual" => (read, lengths.of(Entries::Rows)),
             "quasi" => (read, lengths.of(Entries::QuasiVelocities)),
             "of_time" => (read, lengths.of(Entries::OfTime)),
+            "sines" => (read, lengths.of(Entries::Sines)),
             _ => (read, lengths.of(Entries::Coordinates)),
         });
         let reads = std::iter::once(("c", lengths.n_fixed)).chain(reads).map(|(name, n)| {
@@ -212,6 +213,7 @@ impl Writer<'_> {
             }
             Some(Read::QuasiVelocity(k)) => quote!(quasi[#k]),
             Some(Read::OfTime(k)) => quote!(of_time[#k]),
+            Some(Read::Sine(k)) => quote!(sines[#k]),
             Some(Read::Slot(slot)) => self.stored(slot),
             None => numbers.literal(f64::NAN),
         }

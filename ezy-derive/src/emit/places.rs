@@ -140,7 +140,7 @@ impl Array {
 pub struct Lengths {
     /// Inputs and constants.
     pub n_fixed: usize,
-    entries: [(Entries, usize); 7],
+    entries: [(Entries, usize); 8],
 }
 
 /// Products come in groups of so many; `ezy_core::__private::PRODUCT_GROUP`.
@@ -156,6 +156,7 @@ impl Lengths {
             (Entries::Rows, n_c),
             (Entries::QuasiVelocities, of.quasi.as_ref().map_or(0, |quasi| quasi.symbols.len())),
             (Entries::OfTime, of.quasi.as_ref().map_or(0, |quasi| quasi.time_symbols.len())),
+            (Entries::Sines, of.quasi.as_ref().map_or(0, |quasi| quasi.sine_symbols.len())),
             (Entries::Products, n_products.next_multiple_of(PRODUCT_GROUP)),
             (Entries::Base, n_base),
             (Entries::Kept, n_kept),
@@ -178,6 +179,7 @@ pub fn size(of: Entries) -> &'static str {
         Entries::Rows => "n_c",
         Entries::QuasiVelocities => "n_u",
         Entries::OfTime => "n_of_time",
+        Entries::Sines => "n_sines",
         Entries::Products => "n_products",
         Entries::Base => "n_base",
         Entries::Kept => "n_kept",
@@ -191,6 +193,7 @@ pub fn counter(of: Entries) -> Ident {
         Entries::Rows => "row_place",
         Entries::QuasiVelocities => "quasi_place",
         Entries::OfTime => "time_place",
+        Entries::Sines => "sine_place",
         Entries::Products => "product_place",
         Entries::Base => "base_place",
         Entries::Kept => "kept_place",

@@ -238,12 +238,14 @@ fn access_in_lanes() -> TokenStream {
 fn quasi_lengths(of: &QuasiVelocities) -> TokenStream {
     let (n, feedback, integrated, n_read) = (of.symbols.len(), &of.feedback, &of.integrated, of.n_read);
     let integrals = of.integrals.iter().map(|(i, k)| quote!((#i, #k)));
+    let n_angles = of.angles.outputs().len();
     quote! {
         const N_QUASI: usize = #n;
         const FEEDBACK: &'static [usize] = &[#(#feedback),*];
         const INTEGRALS: &'static [(usize, usize)] = &[#(#integrals),*];
         const INTEGRATED: &'static [usize] = &[#(#integrated),*];
         const N_READ: usize = #n_read;
+        const N_ANGLES: usize = #n_angles;
     }
 }
 

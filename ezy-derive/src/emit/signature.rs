@@ -78,7 +78,7 @@ impl Order {
 const OUT: Writes = Writes::Vectors(&["out"]);
 
 /// Every method, in the order in which they are emitted.
-pub const ALL: [Signature; 32] = [
+pub const ALL: [Signature; 34] = [
     any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
     any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
     any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
@@ -108,8 +108,10 @@ pub const ALL: [Signature; 32] = [
         Quantity::QuasiAccelerations,
         "quasi_accelerations",
         &["t", "q", "quasi", "of_time"],
-        Writes::Vectors(&["a", "q_rate"]),
+        Writes::Vectors(&["a", "q_rate", "sines"]),
     ),
+    quasi(Quantity::QuasiRates, "rates", &["t", "q", "quasi", "of_time", "sines"], Writes::Vectors(&["q_rate"])),
+    quasi(Quantity::QuasiAngles, "angles", &["t", "q", "of_time"], OUT),
     quasi(Quantity::QuasiMotion, "motion", &["t", "q", "quasi"], Writes::Vectors(&["a", "q_rate"])),
     quasi(Quantity::WholeState, "whole_state", &["t", "q", "quasi"], Writes::Vectors(&["out", "v"])),
     series(Quantity::SeriesBegin, "begin", &["t"], Order::Start),

@@ -26,9 +26,13 @@ pub enum Quantity {
     Velocities,
     /// What the next one reads that depends on time and inputs alone.
     OfTime,
-    /// From coordinates and quasi-velocities, then the rates of the coordinates that they depend on.
+    /// From coordinates and quasi-velocities, then the rates of the coordinates that they depend on, then sines that these rates read.
     QuasiAccelerations,
-    /// The same with the rates of the coordinates that are integrated.
+    /// These rates, from these sines.
+    QuasiRates,
+    /// The angles of these sines.
+    QuasiAngles,
+    /// From coordinates and quasi-velocities, then the rates of the coordinates that are integrated.
     QuasiMotion,
     /// Coordinates, with those that position constraints give from the others, then velocities, from quasi-velocities.
     WholeState,
@@ -121,6 +125,8 @@ pub enum Entries {
     Rows,
     QuasiVelocities,
     OfTime,
+    /// Sines and cosines of angles.
+    Sines,
     /// Products of series.
     Products,
     /// Numbers of a whole step.
@@ -157,6 +163,8 @@ pub enum Read {
     Residual(usize),
     QuasiVelocity(usize),
     OfTime(usize),
+    /// Sine or cosine of an angle.
+    Sine(usize),
     /// Of the storage of a series.
     Slot(Slot),
 }

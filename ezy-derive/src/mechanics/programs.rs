@@ -120,24 +120,29 @@ pub fn solutions<'m>(solutions: Solutions) -> impl Iterator<Item = (Quantity, Ke
 }
 
 /// The kernels in quasi-velocities.
-pub fn quasi<'m>(algebra: &Algebra, of: &QuasiVelocities, constants: &mut ConstantPool) -> [(Quantity, Kernel<'m>); 6] {
+pub fn quasi<'m>(algebra: &Algebra, of: &QuasiVelocities, constants: &mut ConstantPool) -> [(Quantity, Kernel<'m>); 8] {
     let values = Lower { algebra, constants }.vector(&of.values);
     let quasi = of.symbols.iter().enumerate().map(|(k, &symbol)| (symbol, Read::QuasiVelocity(k)));
     let of_time = of.time_symbols.iter().enumerate().map(|(k, &symbol)| (symbol, Read::OfTime(k)));
-    let mut reads: Vec<(Symbol, Read)> = quasi.chain(of_time).collect();
+    let sines = of.sine_symbols.iter().enumerate().map(|(k, &symbol)| (symbol, Read::Sine(k)));
+    let mut reads: Vec<(Symbol, Read)> = quasi.chain(of_time).chain(sines).collect();
     reads.sort_by_key(|&(symbol, _)| symbol);
-    // outputs from `n_first` on fill a second vector
-    let kernel = |program: &Program, n_first: usize| {
-        let puts = (0..program.outputs().len()).map(|i| Put::Next(usize::from(i >= n_first))).collect();
+    // from each of these places on outputs fill the next vector
+    let kernel = |program: &Program, places: &[usize]| {
+        let vector = |i: usize| places.iter().filter(|&&place| place <= i).count();
+        let puts = (0..program.outputs().len()).map(|i| Put::Next(vector(i))).collect();
         Kernel::of(vec![Pass::once(program.clone(), puts, reads.clone())])
     };
+    let n_u = of.symbols.len();
     [
         (Quantity::QuasiVelocities, values),
-        (Quantity::Velocities, kernel(&of.velocities, usize::MAX)),
-        (Quantity::OfTime, kernel(&of.of_time, usize::MAX)),
-        (Quantity::QuasiAccelerations, kernel(&of.accelerations, of.symbols.len())),
-        (Quantity::QuasiMotion, kernel(&of.motion, of.symbols.len())),
-        (Quantity::WholeState, kernel(&of.whole_state, of.velocities.outputs().len())),
+        (Quantity::Velocities, kernel(&of.velocities, &[])),
+        (Quantity::OfTime, kernel(&of.of_time, &[])),
+        (Quantity::QuasiAccelerations, kernel(&of.accelerations, &[n_u, n_u + of.feedback.len()])),
+        (Quantity::QuasiRates, kernel(&of.rates, &[])),
+        (Quantity::QuasiAngles, kernel(&of.angles, &[])),
+        (Quantity::QuasiMotion, kernel(&of.motion, &[n_u])),
+        (Quantity::WholeState, kernel(&of.whole_state, &[of.velocities.outputs().len()])),
     ]
 }
 

@@ -1,5 +1,7 @@
 //! Straight-line programs: what a kernel computes, operation by operation.
 
+use std::collections::BTreeSet;
+
 use rustc_hash::FxHashMap;
 
 use super::sum::Symbol;
@@ -275,6 +277,27 @@ impl Program {
             }
         }
         count
+    }
+
+    /// The same values, of which these are the outputs, with symbols in place of some.
+    pub fn reading(&self, outputs: &[Value], given: &[(NodeId, Symbol)]) -> Self {
+        let mut program = Self { outputs: outputs.to_vec(), ..self.clone() };
+        for &(id, symbol) in given {
+            let known = std::mem::replace(&mut program.nodes[id.0], Node::Input(symbol));
+            program.ids.remove(&known);
+            program.ids.insert(Node::Input(symbol), id);
+        }
+        program
+    }
+
+    /// Angles whose sine or cosine the outputs need.
+    pub fn angles(&self) -> Vec<NodeId> {
+        let angle = |id| match self.node(id) {
+            Node::Sin(angle) | Node::Cos(angle) => Some(*angle),
+            _ => None,
+        };
+        let angles: BTreeSet<NodeId> = self.live().into_iter().filter_map(angle).collect();
+        angles.into_iter().collect()
     }
 
     /// The program in two: values that depend on nothing but what is `held`, and what reads them by new symbols. The first one has a value for

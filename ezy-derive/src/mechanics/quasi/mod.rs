@@ -42,8 +42,13 @@ pub struct QuasiVelocities {
     /// What accelerations read that depends on time and inputs alone, and symbols for it.
     pub of_time: Program,
     pub time_symbols: Vec<Symbol>,
-    /// u̇ from t, q, u and that, then the rates of the coordinates of `feedback`.
+    /// u̇ from t, q, u and that, then the rates of the coordinates of `feedback`, then sine and cosine of each of the angles that these rates read.
     pub accelerations: Program,
+    /// These rates alone, from t, u and these sines and cosines, for which there are symbols.
+    pub rates: Program,
+    pub sine_symbols: Vec<Symbol>,
+    /// These angles.
+    pub angles: Program,
     /// The coordinates that anything here depends on whose rates are no quasi-velocities, ascending.
     pub feedback: Vec<usize>,
     /// Those whose rates are, each with the number of its rate.
@@ -308,6 +313,8 @@ impl Form {
                 n += 1;
                 equations.symbols.new_named(format!("of_time_{n}"))
             });
+        let Rates { accelerations, rates, sine_symbols, angles } =
+            Rates::of(accelerations, symbols.len(), &mut |name| equations.symbols.new_named(name));
         QuasiVelocities {
             symbols,
             values,
@@ -315,6 +322,9 @@ impl Form {
             of_time,
             time_symbols,
             accelerations,
+            rates,
+            sine_symbols,
+            angles,
             feedback,
             integrals,
             motion,
@@ -440,6 +450,38 @@ impl Form {
         let right_side = self.right_side.iter().map(|&sum| lowering.lower(sum)).collect();
         let rows: Vec<Vec<usize>> = (0..self.matrix.len()).map(|k| vec![k]).collect();
         System::new(&mut lowering.program, matrix, right_side).solve(&rows).solution
+    }
+}
+
+/// The rates of coordinates by themselves.
+struct Rates {
+    accelerations: Program,
+    rates: Program,
+    sine_symbols: Vec<Symbol>,
+    angles: Program,
+}
+
+impl Rates {
+    /// Of a program that gives them behind accelerations, to which sines and cosines of their angles are added.
+    fn of(mut accelerations: Program, n_accelerations: usize, new_symbol: &mut dyn FnMut(String) -> Symbol) -> Self {
+        let outputs = accelerations.outputs()[n_accelerations..].to_vec();
+        let rates = accelerations.reading(&outputs, &[]);
+        let found = rates.angles();
+        let (mut given, mut angles) = (Vec::new(), Vec::new());
+        for (k, angle) in found.into_iter().enumerate() {
+            angles.push(Value { node: angle, negative: false });
+            for (name, node) in [("sine", Node::Sin(angle)), ("cosine", Node::Cos(angle))] {
+                let value = accelerations.leaf(node);
+                accelerations.push_output(value);
+                given.push((value.node, new_symbol(format!("{name}_{}", k + 1))));
+            }
+        }
+        Self {
+            rates: accelerations.reading(&outputs, &given),
+            sine_symbols: given.iter().map(|&(_, symbol)| symbol).collect(),
+            angles: accelerations.reading(&angles, &[]),
+            accelerations,
+        }
     }
 }
 

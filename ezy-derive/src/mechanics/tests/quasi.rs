@@ -70,9 +70,18 @@ fn cross_quasi_velocities_of_random_mechanisms_give_the_motion_of_the_rows() {
                 place.map_or_else(|| other(symbol), |k| of_time[k])
             };
             let found = outputs(trial, &of.accelerations, &state, &other);
-            let (u_rates, q_rates) = found.split_at(u.len());
+            let (u_rates, rest) = found.split_at(u.len());
+            let (q_rates, sines) = rest.split_at(of.feedback.len());
             let expected: Vec<f64> = of.feedback.iter().map(|&i| state.v[i]).collect();
             trial.compare("rates of coordinates", q_rates, &expected, tolerance);
+            let angles = outputs(trial, &of.angles, &state, &other);
+            let expected: Vec<f64> = angles.iter().flat_map(|angle| [angle.sin(), angle.cos()]).collect();
+            trial.compare("sines that rates read", sines, &expected, tolerance);
+            let of_sines = |symbol: Symbol| {
+                let place = of.sine_symbols.iter().position(|&own| own == symbol);
+                place.map_or_else(|| other(symbol), |k| sines[k])
+            };
+            trial.compare("rates by these sines", &outputs(trial, &of.rates, &state, &of_sines), q_rates, tolerance);
             let (found, expected): (Vec<f64>, Vec<f64>) = of.integrals.iter().map(|&(i, k)| (u[k], state.v[i])).unzip();
             trial.compare("rates that are quasi-velocities", &found, &expected, tolerance);
             let expected = rates(trial, of, &state, &solved[..state.q.len()]);

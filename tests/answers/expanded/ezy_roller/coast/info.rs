@@ -666,6 +666,7 @@ impl Coast {
             n_read: 2usize,
             has_free_body: false,
             n_of_time: 0usize,
+            n_angles: 1usize,
             operations: ezy::Operations {
                 add: 25usize,
                 mul: 50usize,

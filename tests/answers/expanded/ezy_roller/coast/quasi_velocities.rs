@@ -71,6 +71,7 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
         of_time: &[T],
         a: &mut [T],
         q_rate: &mut [T],
+        sines: &mut [T],
     ) {
         let c = ezy::array::<46usize, T>(c);
         let q = ezy::array::<6usize, T>(q);
@@ -78,6 +79,7 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
         let of_time = ezy::array::<0usize, T>(of_time);
         let a = ezy::array_mut::<2usize, T>(a);
         let q_rate = ezy::array_mut::<1usize, T>(q_rate);
+        let sines = ezy::array_mut::<2usize, T>(sines);
         let seat_phi = q[2usize];
         let bar_phi = q[5usize];
         let relative_bar_phi = bar_phi - seat_phi;
@@ -163,6 +165,48 @@ impl<T: ezy::Scalar> ezy::QuasiVelocities<T> for Coast {
         a[0usize] = T::fused(-product_92, product_98, sum_75 * quotient_90);
         a[1usize] = product_98;
         q_rate[0usize] = -minus_bar_omega;
+        sines[0usize] = sin_relative_bar_phi;
+        sines[1usize] = cos_relative_bar_phi;
+    }
+    #[inline(always)]
+    fn rates(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        quasi: &[T],
+        of_time: &[T],
+        sines: &[T],
+        q_rate: &mut [T],
+    ) {
+        let c = ezy::array::<46usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let quasi = ezy::array::<2usize, T>(quasi);
+        let of_time = ezy::array::<0usize, T>(of_time);
+        let sines = ezy::array::<2usize, T>(sines);
+        let q_rate = ezy::array_mut::<1usize, T>(q_rate);
+        let parameter_a = c[21usize];
+        let seat_omega = quasi[1usize];
+        let seat_across = parameter_a * seat_omega;
+        let sine_1 = sines[0usize];
+        let seat_along = quasi[0usize];
+        let cosine_1 = sines[1usize];
+        let k61 = c[34usize];
+        let product_26 = T::fused(-sine_1, seat_along, seat_across * cosine_1) * k61;
+        let k62 = c[35usize];
+        let minus_bar_omega = T::fused(cosine_1, seat_omega * k62, product_26);
+        q_rate[0usize] = -minus_bar_omega;
+    }
+    #[inline(always)]
+    fn angles(&self, c: &[T], t: T, q: &[T], of_time: &[T], out: &mut [T]) {
+        let c = ezy::array::<46usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let of_time = ezy::array::<0usize, T>(of_time);
+        let out = ezy::array_mut::<1usize, T>(out);
+        let seat_phi = q[2usize];
+        let bar_phi = q[5usize];
+        let relative_bar_phi = bar_phi - seat_phi;
+        out[0usize] = relative_bar_phi;
     }
     #[inline(always)]
     fn motion(

@@ -39,8 +39,9 @@ use std::ops::Neg;
 ///
 /// Vector registers of four or eight numbers need `-C target-cpu=x86-64-v3` or better, or a caller that asks the processor, as
 /// [`Ensemble`](crate::simulate::Ensemble) does. On an x86-64 processor without AVX2 no other caller can compute a kernel of more than some 400 operations in lanes.
+// eight numbers are one line of the cache
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(align(32))]
+#[repr(align(64))]
 pub struct Lanes<const L: usize>(pub [f64; L]);
 
 impl<const L: usize> Lanes<L> {

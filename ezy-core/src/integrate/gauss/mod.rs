@@ -13,13 +13,13 @@ use crate::archive::Archive;
 use crate::dynamics::{EightStates, MotionError, State, System};
 use crate::integrate::tolerances::gauss::FIRST_CHANGE;
 use crate::model::{Eight, Scene, SceneRef};
-use crate::scalar::Scalar;
+use crate::scalar::{Lanes, Scalar};
 pub(crate) use collocation::Collocation;
 use control::GaussControl;
 use convergence::{Convergence, Sweeps};
 use errors::{StepError, next_coefficient};
 use quasi::QuasiSweeps;
-use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, WEIGHTS_OF_INTEGRAL, legendre, weights_up_to};
+use tableau::{LARGEST_INTEGRAL, N, NODES, legendre, mean_of_integral, weights_up_to};
 
 /// What became of a step that was tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,8 +67,9 @@ pub(crate) struct Gauss {
     /// Power of each effect at the nodes, and change of a power to change of the work over the tolerance.
     power: Vec<Eight>,
     work_weights: Vec<f64>,
-    /// Legendre coefficients of the powers.
+    /// Legendre coefficients of the powers, and their sizes by degree.
     of_power: Vec<Eight>,
+    power_sizes: [f64; N],
     /// Parts of the step that was tried last, of which the first `n_parts` are solved for.
     parts: Vec<Part>,
     n_parts: usize,
@@ -105,6 +106,7 @@ impl Gauss {
             power: zeros(n_works),
             work_weights: vec![0.0; n_works],
             of_power: zeros(n_works),
+            power_sizes: [0.0; N],
             parts: Vec::new(),
             n_parts: 0,
             rest: State::zero(n_q, n_works),
@@ -159,6 +161,7 @@ impl Gauss {
         let Some(Convergence { steepness }) = converged else { return Ok(Collocated::Diverged) };
         self.has_velocities = false;
         self.complete(system, from.state, h);
+        self.expand();
         self.end(from.state, h, to);
         let [error, dense_error] = self.errors(from, steepness);
         Ok(Collocated::Solved { error, dense_error, steepness })
@@ -248,22 +251,25 @@ impl Gauss {
         nodes.powers(system, power);
     }
 
+    /// Legendre coefficients of the slopes at the nodes.
+    fn expand(&mut self) {
+        self.sizes = lanes::coefficients_and_sizes(&self.nodes.a, &self.weights, &mut self.coefficients);
+        if !self.power.is_empty() {
+            self.power_sizes = lanes::coefficients_and_sizes(&self.power, &self.work_weights, &mut self.of_power);
+        }
+    }
+
     /// The end of the step that was tried last.
     fn end(&mut self, from: &State, h: f64, to: &mut State) {
-        let Self { nodes, power, rest, next_rest, .. } = self;
+        let Self { coefficients, of_power, rest, next_rest, .. } = self;
         next_rest.copy_from(rest);
-        let of_q = to.q.iter_mut().zip(&from.q).zip(&from.v).zip(&mut next_rest.q);
-        for ((((to, from), v), rest), a) in of_q.zip(&nodes.a) {
-            *to = compensated::add(*from, h * (v + h * lanes::sum(&WEIGHTS_OF_INTEGRAL, a)), rest);
+        for (i, Lanes([mean, slope, ..])) in coefficients.iter().enumerate() {
+            let change = h * (from.v[i] + h * mean_of_integral(*mean, *slope));
+            to.q[i] = compensated::add(from.q[i], change, &mut next_rest.q[i]);
+            to.v[i] = compensated::add(from.v[i], h * mean, &mut next_rest.v[i]);
         }
-        let parts = [
-            (&mut to.v, &from.v, &nodes.a, &mut next_rest.v),
-            (&mut to.work, &from.work, &*power, &mut next_rest.work),
-        ];
-        for (to, from, slopes, rest) in parts {
-            for (((to, from), slope), rest) in to.iter_mut().zip(from).zip(slopes).zip(rest) {
-                *to = compensated::add(*from, h * lanes::sum(&WEIGHTS, slope), rest);
-            }
+        for (i, Lanes([mean, ..])) in of_power.iter().enumerate() {
+            to.work[i] = compensated::add(from.work[i], h * mean, &mut next_rest.work[i]);
         }
         to.t = from.t + h;
     }
@@ -279,14 +285,9 @@ impl Gauss {
 
     /// Errors over the tolerance at the end of the step and within it, from the Legendre coefficients of the slopes.
     fn errors(&mut self, from: Node<'_>, steepness: f64) -> [f64; 2] {
-        let Self { nodes, power, of_power, coefficients, weights, sizes, error, .. } = self;
-        *sizes = lanes::coefficients_and_sizes(&nodes.a, weights, coefficients);
+        let Self { of_power, coefficients, weights, sizes, power_sizes, error, .. } = self;
         let [error, next] = error.of_slopes(coefficients, weights, sizes, from.a, steepness);
-        let mut of_works = 0.0;
-        if !power.is_empty() {
-            let sizes = lanes::coefficients_and_sizes(power, &self.work_weights, of_power);
-            of_works = next_coefficient(&sizes, f64::INFINITY).0;
-        }
+        let of_works = if of_power.is_empty() { 0.0 } else { next_coefficient(power_sizes, f64::INFINITY).0 };
         [error, LARGEST_INTEGRAL * next.max(of_works)]
     }
 

@@ -188,10 +188,9 @@ mod tests {
             let moment = mean_of_integral(mean, slope);
             assert!((moment - 1.0 / f64::from((k + 1) * (k + 2))).abs() <= ROUNDING, "{k}");
         }
-        for j in 0..N {
+        for (j, Lanes([mean, slope, ..])) in TO_COEFFICIENTS.iter().enumerate() {
             let twice = (0..N).map(|i| WEIGHTS.0[i] * entry(i, j)).sum::<f64>();
-            let Lanes([mean, slope, ..]) = TO_COEFFICIENTS[j];
-            assert!((twice - mean_of_integral(mean, slope)).abs() <= ROUNDING, "{j}");
+            assert!((twice - mean_of_integral(*mean, *slope)).abs() <= ROUNDING, "{j}");
         }
     }
 

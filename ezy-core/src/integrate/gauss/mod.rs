@@ -67,9 +67,8 @@ pub(crate) struct Gauss {
     /// Power of each effect at the nodes, and change of a power to change of the work over the tolerance.
     power: Vec<Eight>,
     work_weights: Vec<f64>,
-    /// Legendre coefficients of the powers, and their sizes by degree.
+    /// Legendre coefficients of the powers.
     of_power: Vec<Eight>,
-    power_sizes: [f64; N],
     /// Parts of the step that was tried last, of which the first `n_parts` are solved for.
     parts: Vec<Part>,
     n_parts: usize,
@@ -106,7 +105,6 @@ impl Gauss {
             power: zeros(n_works),
             work_weights: vec![0.0; n_works],
             of_power: zeros(n_works),
-            power_sizes: [0.0; N],
             parts: Vec::new(),
             n_parts: 0,
             rest: State::zero(n_q, n_works),
@@ -254,9 +252,7 @@ impl Gauss {
     /// Legendre coefficients of the slopes at the nodes.
     fn expand(&mut self) {
         self.sizes = lanes::coefficients_and_sizes(&self.nodes.a, &self.weights, &mut self.coefficients);
-        if !self.power.is_empty() {
-            self.power_sizes = lanes::coefficients_and_sizes(&self.power, &self.work_weights, &mut self.of_power);
-        }
+        lanes::coefficients(&self.power, &mut self.of_power);
     }
 
     /// The end of the step that was tried last.
@@ -285,9 +281,12 @@ impl Gauss {
 
     /// Errors over the tolerance at the end of the step and within it, from the Legendre coefficients of the slopes.
     fn errors(&mut self, from: Node<'_>, steepness: f64) -> [f64; 2] {
-        let Self { of_power, coefficients, weights, sizes, power_sizes, error, .. } = self;
+        let Self { of_power, work_weights, coefficients, weights, sizes, error, .. } = self;
         let [error, next] = error.of_slopes(coefficients, weights, sizes, from.a, steepness);
-        let of_works = if of_power.is_empty() { 0.0 } else { next_coefficient(power_sizes, f64::INFINITY).0 };
+        let of_works = match &of_power[..] {
+            [] => 0.0,
+            of_power => next_coefficient(&lanes::sizes(of_power, work_weights), f64::INFINITY).0,
+        };
         [error, LARGEST_INTEGRAL * next.max(of_works)]
     }
 

@@ -90,9 +90,20 @@ pub trait Scalar:
     #[must_use]
     #[inline(always)]
     fn sin_cos_of<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        const { assert!(N <= 4, "up to four angles") };
         let mut found = [(angles[0], angles[0]); N];
-        for i in 0..N {
-            found[i] = angles[i].sin_cos();
+        // written out: a loop would keep them in memory
+        if N > 0 {
+            found[0] = angles[0].sin_cos();
+        }
+        if N > 1 {
+            found[1] = angles[1].sin_cos();
+        }
+        if N > 2 {
+            found[2] = angles[2].sin_cos();
+        }
+        if N > 3 {
+            found[3] = angles[3].sin_cos();
         }
         found
     }

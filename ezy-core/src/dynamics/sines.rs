@@ -1,7 +1,7 @@
 //! Sines and cosines of the angles of one configuration, which all kernels of a scene with counts share.
 
 use crate::model::coordinate::{N_OF_BODY, n_bodies};
-use crate::scalar::{Scalar as _, in_wide};
+use crate::scalar::{Scalar as _, in_widest};
 
 /// [sin φ, cos φ] of each body, kept until other angles are asked for. Empty in scenes whose kernels take none.
 pub(super) struct Sines {
@@ -26,7 +26,7 @@ impl Sines {
                 *angle = *phi;
             }
             if differ != 0 {
-                in_wide(
+                in_widest(
                     #[inline(always)]
                     || f64::sin_cos_of_each(&self.angles, &mut self.table),
                 );

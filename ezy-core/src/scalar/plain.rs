@@ -49,14 +49,14 @@ impl Scalar for f64 {
     fn sin_cos_of_each(x: &[Self], out: &mut [[Self; 2]]) {
         let (eights, more) = x.as_chunks::<8>();
         let (first, last) = out.split_at_mut(x.len() - more.len());
-        let write = |x, out: &mut [[Self; 2]]| {
-            let (Lanes(sin), Lanes(cos)) = Lanes(x).sin_cos();
-            out.iter_mut().zip(sin.into_iter().zip(cos)).for_each(|(out, (sin, cos))| *out = [sin, cos]);
-        };
-        eights.iter().zip(first.as_chunks_mut::<8>().0).for_each(|(x, out)| write(*x, out));
-        let mut padded = [0.0; 8];
-        padded.iter_mut().zip(more).for_each(|(padded, x)| *padded = *x);
-        write(padded, last);
+        for (x, out) in eights.iter().zip(first.as_chunks_mut::<8>().0) {
+            *out = table_of(x);
+        }
+        if !more.is_empty() {
+            let mut padded = [0.0; 8];
+            padded[..more.len()].copy_from_slice(more);
+            last.copy_from_slice(&table_of(&padded)[..more.len()]);
+        }
     }
 
     #[inline(always)]
@@ -84,6 +84,17 @@ impl Scalar for f64 {
     fn magnitude(self) -> f64 {
         self.abs()
     }
+}
+
+/// [sin, cos] of each of eight numbers, in lanes.
+#[inline(always)]
+fn table_of(x: &[f64; 8]) -> [[f64; 2]; 8] {
+    let (Lanes(sin), Lanes(cos)) = Lanes(*x).sin_cos();
+    let mut table = [[0.0; 2]; 8];
+    for i in 0..8 {
+        table[i] = [sin[i], cos[i]];
+    }
+    table
 }
 
 /// The first lanes.

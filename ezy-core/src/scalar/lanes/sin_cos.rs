@@ -5,7 +5,6 @@
 //! `k_sin.c` and `k_cos.c` (Sun Microsystems, 1993); summed in pairs: Estrin, Organization of computer systems (1960).
 
 use crate::scalar::Scalar;
-use std::array::from_fn;
 use std::f64::consts::FRAC_2_PI;
 
 /// Larger arguments go to the system's functions: multiples of π/2 up to here have no rounding in the first two parts.
@@ -38,14 +37,27 @@ const COS: [f64; 6] = [
 #[inline(always)]
 pub(super) fn sin_cos<const L: usize>(x: &[f64; L]) -> ([f64; L], [f64; L]) {
     let small = x.iter().fold(true, |all, x| all & (x.abs() <= LARGEST));
-    if !small {
-        return (from_fn(|i| x[i].sin()), from_fn(|i| x[i].cos()));
-    }
     let (mut sin, mut cos) = ([0.0; L], [0.0; L]);
     for i in 0..L {
         (sin[i], cos[i]) = one(x[i]);
     }
+    if !small {
+        let (mut of_sin, mut of_cos) = ([0.0; L], [0.0; L]);
+        by_library(x, &mut of_sin, &mut of_cos);
+        for i in 0..L {
+            (sin[i], cos[i]) = (of_sin[i], of_cos[i]);
+        }
+    }
     (sin, cos)
+}
+
+/// The system's functions, apart from numbers in registers, which their calls would bring to memory.
+#[cold]
+#[inline(never)]
+fn by_library<const L: usize>(x: &[f64; L], sin: &mut [f64; L], cos: &mut [f64; L]) {
+    for i in 0..L {
+        (sin[i], cos[i]) = x[i].sin_cos();
+    }
 }
 
 #[inline(always)]

@@ -275,9 +275,11 @@ impl<P: SceneRef> Projector<'_, P> {
             }
         };
         residual[..info.n_position_rows].iter().enumerate().all(|(row, c)| {
-            let entries = jacobian[info.jacobian.row(row)].iter().zip(info.jacobian.columns_of(row));
-            let sum: f64 = entries.map(|(g, column)| g.abs() * size(column)).sum();
-            c.abs() <= geometry.position_tolerance(row, 0.0).max(2.0 * f64::EPSILON * sum)
+            c.abs() <= geometry.position_tolerance(row, 0.0) || {
+                let entries = jacobian[info.jacobian.row(row)].iter().zip(info.jacobian.columns_of(row));
+                let sum: f64 = entries.map(|(g, column)| g.abs() * size(column)).sum();
+                c.abs() <= 2.0 * f64::EPSILON * sum
+            }
         })
     }
 

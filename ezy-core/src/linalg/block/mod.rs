@@ -137,10 +137,7 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         let given = Given { layouts, jacobian, roots, damping, least };
         let mut smallest = 1.0;
         for paths in paths {
-            smallest = paths.eliminate::<F>(nodes, &given)?.min(smallest);
-            if let Some((x, s)) = right_side {
-                paths.forward::<F, true>(nodes, x, s);
-            }
+            smallest = paths.eliminate::<F>(nodes, &given, right_side)?.min(smallest);
         }
         let mut rest = &mut nodes[..];
         while let Some((joint, later)) = rest.split_first_mut() {

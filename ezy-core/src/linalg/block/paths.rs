@@ -4,7 +4,7 @@ use super::columns::{Rows, bodies, layout};
 use super::form::{Form, Layout};
 use super::fraction::Fraction;
 use super::two::{Number, Two};
-use super::{Block, Bodies, Column, Node, OfBody, apply, dot, product_times, subtract, sum, times};
+use super::{Block, Bodies, Column, Node, OfBody, RightSide, apply, dot, product_times, subtract, sum, times};
 use crate::linalg::VanishedPivot;
 use crate::linalg::joints::{BODIES, Plan};
 use crate::linalg::tolerances::blocks::NEGLIGIBLE;
@@ -154,6 +154,72 @@ fn is_tested(i: usize) -> bool {
     i % 16 == 15
 }
 
+/// What is done with each pair of joints while they are eliminated.
+trait Along<F, const B: usize, const N: usize> {
+    /// Once Γ is known, with the roots of the bodies behind the joints.
+    fn begin(&mut self, twin: &mut Twin<B, N>, roots: &OfBody<Two>);
+
+    /// Once L is known.
+    fn end(&mut self, i: usize, twin: &Twin<B, N>);
+}
+
+impl<F, const B: usize, const N: usize> Along<F, B, N> for () {
+    fn begin(&mut self, _twin: &mut Twin<B, N>, _roots: &OfBody<Two>) {}
+
+    fn end(&mut self, _i: usize, _twin: &Twin<B, N>) {}
+}
+
+/// `L y = Γ x − s` along the paths.
+struct Substitution<'a, const B: usize, const SCALES: bool> {
+    x: Bodies<'a, SCALES>,
+    s: &'a [f64],
+    negligible: Two,
+    /// x of the bodies before the next joints, and what these joints lose.
+    before: OfBody<Two>,
+    pulled: Column<B, Two>,
+}
+
+impl<'a, const B: usize, const SCALES: bool> Substitution<'a, B, SCALES> {
+    fn new(x: Bodies<'a, SCALES>, s: &'a [f64], first: &[Place; 2], negligible: Two) -> Self {
+        let before = scaled::<SCALES>(gathered(x.of, first, 0), &gathered(x.roots, first, 0));
+        Self { x, s, negligible, before, pulled: [Two::from_f64(0.0); B] }
+    }
+
+    /// What the joints behind the paths lose.
+    fn hand_on<const N: usize>(self, nodes: &mut [Node<B, N>], ends: &[(usize, usize); 2]) {
+        for (lane, (node, _)) in ends.iter().enumerate() {
+            subtract(&mut nodes[*node].y, &self.pulled.map(|y| y.lanes()[lane]));
+        }
+    }
+}
+
+impl<F: Form<B, N>, const B: usize, const N: usize, const SCALES: bool> Along<F, B, N> for Substitution<'_, B, SCALES> {
+    #[inline(always)]
+    fn begin(&mut self, twin: &mut Twin<B, N>, roots: &OfBody<Two>) {
+        let behind = scaled::<SCALES>(gathered(self.x.of, &twin.places, 1), roots);
+        let mut sum = rows::<F, B, N>(&twin.places, self.s).map(|s| -s);
+        F::add(&mut sum, &twin.slots[0], &self.before);
+        F::add(&mut sum, &twin.slots[1], &behind);
+        // what waits for earlier joints comes last
+        subtract(&mut sum, &self.pulled);
+        twin.y = sum;
+        self.before = behind;
+    }
+
+    #[inline(always)]
+    fn end(&mut self, i: usize, twin: &Twin<B, N>) {
+        self.pulled = apply(&twin.lower, &twin.y);
+        if is_tested(i) {
+            self.pulled = self.pulled.map(|y| y.or_zero_below(self.negligible));
+        }
+    }
+}
+
+#[inline(always)]
+fn scaled<const SCALES: bool>(x: OfBody<Two>, roots: &OfBody<Two>) -> OfBody<Two> {
+    if SCALES { from_fn(|i| x[i] * roots[i]) } else { x }
+}
+
 impl<const B: usize, const N: usize> Paths<B, N> {
     fn new(places: &[[Place; 2]], ends: [(usize, usize); 2], negligible: f64) -> Self {
         let zero = Two::from_f64(0.0);
@@ -180,21 +246,32 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         before.chain(between).map(|body| body as usize)
     }
 
-    /// Eliminates the paths, and hands on what they leave to the joints behind. Returns the smallest pivot.
+    /// Eliminates the paths, and hands on what they leave to the joints behind; forward substitution, [`Self::forward`], where a right side is given. Returns the
+    /// smallest pivot.
     pub(super) fn eliminate<F: Form<B, N>>(
         &mut self,
         nodes: &mut [Node<B, N>],
         given: &Given<'_, N>,
+        right_side: Option<RightSide<'_>>,
     ) -> Result<f64, VanishedPivot> {
         let (one, zero) = (Two::from_f64(1.0), Two::from_f64(0.0));
         // zero as long as all numbers are finite, and so is one over each denominator
         let (mut smallest, mut not_finite) = (one, zero);
-        let swept = self.sweep::<F>(nodes, given, |_, inverse, reciprocal| {
+        let judge = |_: &[Place; 2], inverse: &Fraction<B, Two>, reciprocal: Two| {
             let all = inverse.pivots.iter().fold(inverse.denominator + reciprocal, |sum, &pivot| sum + pivot);
             not_finite = not_finite + all * zero;
             smallest = inverse.pivots.iter().fold(smallest, |smallest, pivot| pivot.min(smallest));
             Ok(())
-        });
+        };
+        let swept = match right_side.zip(self.twins.first()) {
+            Some(((x, s), first)) => {
+                let mut substitution = Substitution::new(x, s, &first.places, self.negligible);
+                let swept = self.sweep::<F>(nodes, given, judge, &mut substitution);
+                substitution.hand_on(nodes, &self.ends);
+                swept
+            }
+            None => self.sweep::<F>(nodes, given, judge, &mut ()),
+        };
         let [a, b] = smallest.lanes();
         if swept.is_ok() && a > given.least && b > given.least && not_finite.lanes() == [0.0; 2] {
             return Ok(a.min(b));
@@ -205,7 +282,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
     /// The first pivot that is too small, looked for once more.
     #[cold]
     fn vanished<F: Form<B, N>>(&mut self, nodes: &mut [Node<B, N>], given: &Given<'_, N>) -> VanishedPivot {
-        let swept = self.sweep::<F>(nodes, given, |places, inverse, _| {
+        let judge = |places: &[Place; 2], inverse: &Fraction<B, Two>, _| {
             for (lane, place) in places.iter().enumerate() {
                 let pivots = inverse.pivots.map(|pivot| pivot.lanes()[lane]);
                 if !(pivots.iter().all(|&pivot| pivot > given.least) && inverse.denominator.lanes()[lane].is_normal()) {
@@ -213,31 +290,38 @@ impl<const B: usize, const N: usize> Paths<B, N> {
                 }
             }
             Ok(())
-        });
+        };
+        let swept = self.sweep::<F>(nodes, given, judge, &mut ());
         swept.err().unwrap_or(VanishedPivot { relative: f64::NAN, row: None })
     }
 
-    /// Eliminates, and lets every inverse of a block of D be judged: where the joints stand, the inverse, and one over its denominator.
+    /// Writes Γ and eliminates, and lets every inverse of a block of D be judged: where the joints stand, the inverse, and one over its denominator.
+    ///
+    /// The elimination is a chain of operations that wait for each other; what goes along fills the time.
     #[inline(always)]
     fn sweep<F: Form<B, N>>(
         &mut self,
         nodes: &mut [Node<B, N>],
         given: &Given<'_, N>,
         mut judge: impl FnMut(&[Place; 2], &Fraction<B, Two>, Two) -> Result<(), VanishedPivot>,
+        along: &mut impl Along<F, B, N>,
     ) -> Result<(), VanishedPivot> {
-        if let Some(first) = self.twins.first() {
-            let mut before = gathered(given.roots, &first.places, 0);
-            for twin in &mut self.twins {
-                let behind = gathered(given.roots, &twin.places, 1);
-                twin.slots = given.slots::<F, B>(&twin.places, [&before, &behind]);
-                before = behind;
-            }
-        }
+        let Some(first) = self.twins.first_mut() else { return Ok(()) };
+        let of_first = gathered(given.roots, &first.places, 0);
+        let mut before = gathered(given.roots, &first.places, 1);
+        first.slots = given.slots::<F, B>(&first.places, [&of_first, &before]);
         // what the joints before take from a block of D, of which the triangle below is read
         let mut taken = [[Two::from_f64(0.0); B]; B];
         let mut rest = &mut self.twins[..];
         for i in 0.. {
             let Some((twin, later)) = rest.split_first_mut() else { break };
+            along.begin(twin, &before);
+            // Γ of the next twin, whose operations do not wait for those of this one
+            if let Some(next) = later.first_mut() {
+                let behind = gathered(given.roots, &next.places, 1);
+                next.slots = given.slots::<F, B>(&next.places, [&before, &behind]);
+                before = behind;
+            }
             let [early, late] = &twin.slots;
             let mut own = sum(&F::product(early, early), &F::product(late, late));
             if let Some(damping) = given.damping {
@@ -266,6 +350,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
                     column[c + 1..].iter_mut().for_each(|entry| *entry = entry.or_zero_below(least));
                 }
             }
+            along.end(i, twin);
             rest = later;
         }
         for (lane, (node, _)) in self.ends.iter().enumerate() {
@@ -284,29 +369,13 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         s: &[f64],
     ) {
         let Some(first) = self.twins.first() else { return };
-        let at = |places: &[Place; 2], side: usize| -> OfBody<Two> {
-            let [of, roots] = [x.of, x.roots].map(|of| gathered(of, places, side));
-            if SCALES { from_fn(|i| of[i] * roots[i]) } else { of }
-        };
-        let mut before = at(&first.places, 0);
-        let mut pulled = [Two::from_f64(0.0); B];
+        let mut substitution = Substitution::new(x, s, &first.places, self.negligible);
         for (i, twin) in self.twins.iter_mut().enumerate() {
-            let behind = at(&twin.places, 1);
-            let mut sum = rows::<F, B, N>(&twin.places, s).map(|s| -s);
-            F::add(&mut sum, &twin.slots[0], &before);
-            F::add(&mut sum, &twin.slots[1], &behind);
-            // what waits for earlier joints comes last
-            subtract(&mut sum, &pulled);
-            twin.y = sum;
-            pulled = apply(&twin.lower, &sum);
-            if is_tested(i) {
-                pulled = pulled.map(|y| y.or_zero_below(self.negligible));
-            }
-            before = behind;
+            let roots = gathered(x.roots, &twin.places, 1);
+            Along::<F, B, N>::begin(&mut substitution, twin, &roots);
+            Along::<F, B, N>::end(&mut substitution, i, twin);
         }
-        for (lane, (node, _)) in self.ends.iter().enumerate() {
-            subtract(&mut nodes[*node].y, &pulled.map(|y| y.lanes()[lane]));
-        }
+        substitution.hand_on(nodes, &self.ends);
     }
 
     /// `D Lᵀ y = y` from the joints behind the paths on, then `x −= Γᵀ y`; hands out the rows of each joint, and y there.

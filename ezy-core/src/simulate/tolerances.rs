@@ -251,3 +251,11 @@ pub(crate) mod orders {
     /// Test: `invariant_orders_out_of_proportion_are_refused_and_large_ones_accepted`.
     pub(crate) const MAX_NUMBERS: f64 = 1e9;
 }
+
+/// Runs in lanes.
+pub(crate) mod lanes {
+    /// How much of a motion tells which runs take steps of similar length: enough for a hundred steps to have passed their start.
+    /// Unit: share of the run.
+    /// Test: `invariant_runs_with_steps_of_similar_length_go_together`.
+    pub(crate) const LOOKED_AT: f64 = 0.1;
+}

@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub(super) type Runner<'a> = dyn Fn(&Case<'_>) -> Result<Finished, Refused> + Sync + 'a;
 
 /// Runs cases of one scene in lanes.
-pub(super) type Together<'a> = dyn Fn(&[WaitingRun], &[&AtomicBool]) -> Result<Vec<EndOfRun>, Alone> + Sync + 'a;
+pub(super) type Together<'a> = dyn Fn(&[WaitingRun], &[&AtomicBool]) -> Vec<Result<EndOfRun, Alone>> + Sync + 'a;
 
 /// What became of a case.
 pub(super) struct Computed {
@@ -64,16 +64,17 @@ impl Group<'_> {
                 (result, left) => computed.push(self.computed(index, result, left.err())?),
             }
         }
-        match together(&waiting, &self.interrupts) {
-            Ok(ends) => computed.extend(indices.iter().zip(ends).map(|(index, end)| {
-                let finished = Finished::at_end(self.reader.numbers_of_end(&end), end.t, end.n_steps);
-                Computed { row: self.row(*index, Ok(finished)), failure: None, alone: None, unwritten: None }
-            })),
-            Err(why) => {
-                for index in indices.into_iter().filter(|index| asked.contains(index)) {
-                    computed.push(self.run(index, Some(why))?);
-                }
+        for (index, end) in indices.into_iter().zip(together(&waiting, &self.interrupts)) {
+            if !asked.contains(&index) {
+                continue;
             }
+            computed.push(match end {
+                Ok(end) => {
+                    let finished = Finished::at_end(self.reader.numbers_of_end(&end), end.t, end.n_steps);
+                    Computed { row: self.row(index, Ok(finished)), failure: None, alone: None, unwritten: None }
+                }
+                Err(why) => self.run(index, Some(why))?,
+            });
         }
         computed.retain(|computed| asked.contains(&computed.row.index));
         computed.sort_by_key(|computed| computed.row.index);

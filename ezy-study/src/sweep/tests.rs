@@ -473,6 +473,34 @@ fn invariant_cases_in_lanes_depend_on_their_group_alone() {
     assert!([&shares[0][..5], &shares[1][..5], &shares[0][5..], &shares[1][5..]].concat() == whole);
 }
 
+/// 640 cases go by forty, of which eights are made by the length of their steps: other ones than their neighbours, and the same by any number of threads and in any part. Parts that
+/// nobody chose are whole groups.
+#[test]
+fn invariant_cases_of_a_large_sweep_in_lanes_depend_on_their_group_alone() {
+    let many = |n_lengths: usize| {
+        let lengths = (0..n_lengths).map(|i| 0.3 + 0.07 * (3 * i % 8) as f64);
+        Plan::new()
+            .words("method", ["dop853"])
+            .grid("l", lengths)
+            .grid("bob.phi", (0..80).map(|i| 0.04 * (i * 37 % 80) as f64))
+            .grid("push", [0.1])
+    };
+    let of = |n_lengths: usize, change: &dyn Fn(Sweep<'static>) -> Sweep<'static>| {
+        let rows = in_lanes(many(n_lengths), |sweep| change(sweep.in_lanes(&FREE))).1;
+        (rows.len(), numbers(&rows))
+    };
+    let (_, whole) = of(8, &|sweep| sweep.threads(1));
+    assert_eq!(whole.len(), 640);
+    assert!(of(8, &|sweep| sweep.threads(3).cases_per_part(100)).1 == whole);
+    let (n_parts, share) = of(8, &|sweep| sweep.shard(1, 3));
+    assert_eq!((n_parts, share.len()), (3, 240));
+    assert!(share[..80] == whole[..80] && share[80..160] == whole[240..320]);
+    let (_, fewer) = of(7, &|sweep| sweep);
+    let pairs = fewer.iter().flatten().zip(whole.iter().flatten());
+    assert!(pairs.clone().all(|(x, y)| (x - y).abs() <= 100.0 * NEAR));
+    assert!(pairs.filter(|(x, y)| x != y).count() > 560, "the same neighbours step together");
+}
+
 /// Cases that step by themselves are as they would be without lanes: by another method, in another scene, with an end to locate.
 #[test]
 fn invariant_case_that_cannot_step_in_lanes_runs_by_itself() {

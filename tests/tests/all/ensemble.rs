@@ -1,9 +1,10 @@
 //! Runs that step together in lanes, against the same runs one by one.
 
 use ezy_core::prelude::*;
-use ezy_core::simulate::{SetupError, run_together};
+use ezy_core::simulate::{Alone, EndOfRun, SetupError, WaitingRun, run_together};
 use ezy_core_tests::{simulation, system_of};
 use ezy_models::{chain, ezy_roller};
+use std::sync::atomic::AtomicBool;
 
 /// Rounding of 5000 steps of the driven roller, whose sensitivity is 50 after 5 s; sines differ in their last bit.
 const ROUNDING: f64 = 2e-12;
@@ -12,16 +13,55 @@ const TOLERANCE: f64 = 1e-7;
 
 type Roller = ezy_roller::Driven;
 
-/// Eight lanes hold eight runs of one scene.
+/// A run of a driven roller by `dop853` that waits for others.
+fn waiting(m0: f64, tolerance: f64, until_s: f64) -> WaitingRun {
+    let scene = Roller { m0, ..Roller::default() };
+    simulation(&scene).method(Method::dop853(tolerance)).until(until_s).waiting().unwrap()
+}
+
+/// Runs of another scene, with another tolerance or another end are told; the others go on without them.
 #[test]
-fn invariant_more_than_eight_runs_or_others_do_not_step_together() {
+fn invariant_runs_that_are_different_do_not_step_together() {
     let (driven, coast) = (Roller::default(), ezy_roller::Coast::default());
-    let waiting = |scene| simulation(scene).method(Method::dop853(1e-6)).until(0.1).waiting().unwrap();
-    let runs = vec![waiting(&driven); 9];
-    assert_eq!(run_together(&driven, &runs[..8], &[]).unwrap().len(), 8);
-    assert!(run_together(&driven, &runs, &[]).is_err());
-    assert!(run_together(&driven, &[waiting(&driven), waiting(&coast)], &[]).is_err());
-    assert!(run_together(&coast, &runs[..1], &[]).is_err());
+    let other = simulation(&coast).method(Method::dop853(1e-6)).until(0.1).waiting().unwrap();
+    let mut runs = vec![waiting(2.0, 1e-6, 0.1); 9];
+    let ends = run_together(&driven, &runs, &[]);
+    assert_eq!(ends.len(), 9);
+    assert!(ends.iter().all(|end| end.as_ref().is_ok_and(|end| end.t == 0.1)));
+    runs.splice(3..6, [other, waiting(2.0, 1e-7, 0.1), waiting(2.0, 1e-6, 0.2)]);
+    let ends = run_together(&driven, &runs, &[]);
+    assert_eq!(ends[3], Err("they are of different scenes"));
+    assert_eq!(
+        ends[4..6],
+        [Err("they have different times or tolerances"), Err("they have different times or tolerances")]
+    );
+    assert_eq!(ends.iter().filter(|end| end.is_ok()).count(), 6);
+    assert!(run_together(&coast, &runs[..1], &[])[0].is_err());
+    let over = AtomicBool::new(true);
+    assert!(run_together(&driven, &runs, &[&over]).iter().all(Result::is_err));
+}
+
+/// Torques from nothing to 9 N·m, the strong ones scattered among the weak ones. Each torque takes steps of its own length: in the order in which they stand, eight runs take those of
+/// the strongest among them.
+#[test]
+fn invariant_runs_with_steps_of_similar_length_go_together() {
+    let scene = Roller::default();
+    let runs: Vec<WaitingRun> = (0..40).map(|i| waiting(0.225 * f64::from(7 * i % 40), 1e-9, 10.0)).collect();
+    let steps = |ends: &[Result<EndOfRun, Alone>]| ends.iter().map(|end| end.as_ref().unwrap().n_steps).sum::<u64>();
+    let sorted = run_together(&scene, &runs, &[]);
+    let by_eights: Vec<_> = runs.chunks(8).flat_map(|eight| run_together(&scene, eight, &[])).collect();
+    let alone: u64 = runs.iter().map(|run| steps(&run_together(&scene, std::slice::from_ref(run), &[]))).sum();
+    let found = [alone, steps(&sorted), steps(&by_eights)];
+    // between what they take alone and what they take as they stand, sorted runs are nearer to the first
+    assert!(found[1] - found[0] < found[2] - found[1], "{found:?}");
+    for (one, other) in sorted.iter().zip(&by_eights) {
+        let (one, other) = (one.as_ref().unwrap(), other.as_ref().unwrap());
+        assert_eq!((one.t, other.t), (10.0, 10.0));
+        one.numbers
+            .iter()
+            .zip(&other.numbers)
+            .for_each(|(x, y)| assert!((x - y).abs() <= TOLERANCE * x.abs().max(1.0)));
+    }
 }
 
 /// Rollers of eight torques.

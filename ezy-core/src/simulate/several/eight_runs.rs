@@ -27,7 +27,7 @@ impl<P: SceneRef> EightRuns<P> {
     /// [`SetupError`] when the scene or the method cannot be used.
     pub(in crate::simulate) fn new(
         scene: P,
-        systems: &[System<P>],
+        systems: &[&System<P>],
         starts: &[&State],
         method: Method,
     ) -> Result<Self, SetupError> {
@@ -40,7 +40,7 @@ impl<P: SceneRef> EightRuns<P> {
         let z = packed(from_fn(|lane| &state_of(lane).z[..]));
         let t = starts[0].t;
         let start = State { t, q, v, z, work: Vec::new() };
-        let system = SystemOf::new(InLanes(scene.clone()), &systems[0], fixed);
+        let system = SystemOf::new(InLanes(scene.clone()), systems[0], fixed);
         let of_rows = Trajectory::new(system, info, start, method)?;
         let tolerance = method.tolerance().filter(|_| method.kind() == MethodKind::Dop853 && of_rows.now.z.is_empty());
         let quasi = tolerance
@@ -74,6 +74,14 @@ impl<P: SceneRef> EightRuns<P> {
         match &mut self.form {
             Form::OfRows(trajectory) => trajectory.step(until_s - trajectory.now.t, until_s),
             Form::InQuasiVelocities(runs) => runs.step(until_s),
+        }
+    }
+
+    /// How many steps a run would have taken so far if it had chosen them alone, to compare runs; `None` where that is not known.
+    pub(in crate::simulate) fn n_steps_of_its_own(&self, lane: usize) -> Option<f64> {
+        match &self.form {
+            Form::OfRows(_) => None,
+            Form::InQuasiVelocities(runs) => Some(runs.n_steps_of_its_own(lane)),
         }
     }
 

@@ -66,6 +66,7 @@ impl<'s, S: Scene, const L: usize> Ensemble<'s, S, L> {
         if let Some((found, expected)) = lengths.into_iter().find(|(n, expected)| n != expected) {
             return Err(SetupError::StartLength { expected, found });
         }
+        let systems: Vec<&System<&S>> = systems.iter().collect();
         Ok(Self { runs: EightRuns::new(&scenes[0], &systems, &starts, method)? })
     }
 

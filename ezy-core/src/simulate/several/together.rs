@@ -1,4 +1,4 @@
-//! Runs of one scene with parameters and starts of their own that step together, eight at once; only their ends are known.
+//! Runs of one scene with parameters and starts of their own, of which eight at once step together; only their ends are known.
 
 use super::eight_runs::EightRuns;
 use crate::dynamics::{Metric, Projection, Rows, State, System};
@@ -8,6 +8,7 @@ use crate::model::{AsDynScene as _, Derived as _, EventKind, N_LANES, Scene, Sce
 use crate::record::Wanted;
 use crate::simulate::recording::sampler::Sampler;
 use crate::simulate::stepping::snapshot::Snapshot;
+use crate::simulate::tolerances::lanes::LOOKED_AT;
 use crate::simulate::tolerances::monitors::ATTEMPTS_OF_A_PACE;
 use crate::simulate::tolerances::singular::TOO_NEAR;
 use crate::simulate::{InputTable, Simulation};
@@ -35,7 +36,7 @@ pub struct EndOfRun {
     pub t: f64,
     /// x and y of each point, m.
     pub points: Vec<f64>,
-    /// Steps of all runs together.
+    /// Steps, which eight runs share.
     pub n_steps: u64,
 }
 
@@ -95,64 +96,128 @@ const CANNOT_START: Alone = "it cannot start";
 const WITHOUT_ELIMINATION: Alone = "the scene has no elimination of its own";
 const STOPS: Alone = "one of the eight stops early, or comes close to a singular position";
 
-/// The ends of one to eight runs.
+/// The ends of runs of one scene, of which eight at once share their steps; or why a run has to step by itself, also once a flag is set.
 ///
-/// # Errors
-/// Why they have to step by themselves, one by one; also once a flag is set.
+/// Where there are more than eight, and the scene has quasi-velocities, the first part of the motion tells how long steps of each run may be. Then those whose steps are of
+/// similar length go on together.
 pub fn run_together(
     scene: &dyn Scene,
     runs: &[WaitingRun],
     interrupts: &[&AtomicBool],
-) -> Result<Vec<EndOfRun>, Alone> {
-    let first = runs.first().ok_or(CANNOT_START)?;
-    let is_same =
-        |run: &WaitingRun| (run.start.t, run.until_s, run.tolerance) == (first.start.t, first.until_s, first.tolerance);
-    if !runs.iter().all(is_same) {
-        return Err("the eight have different times or tolerances");
+) -> Vec<Result<EndOfRun, Alone>> {
+    let Some(first) = runs.first() else { return Vec::new() };
+    let group = Group { scene, first, interrupts };
+    let mut ends: Vec<Result<EndOfRun, Alone>> = vec![Err(STOPS); runs.len()];
+    let mut members = Vec::new();
+    for (i, run) in runs.iter().enumerate() {
+        match group.member(i, run) {
+            Ok(member) => members.push(member),
+            Err(why) => ends[i] = Err(why),
+        }
     }
-    let info = scene.info();
-    if runs.len() > N_LANES {
-        return Err("they are more than eight");
+    let WaitingRun { start: State { t, .. }, until_s, .. } = *first;
+    if members.len() > N_LANES && scene.in_quasi_velocities().is_some() {
+        members = group.advanced(members, t + LOOKED_AT * (until_s - t), &mut ends);
+        members.sort_by(|one, other| one.n_steps_of_its_own.total_cmp(&other.n_steps_of_its_own));
     }
-    if runs.iter().any(|run| run.identity != info.identity()) {
-        return Err("they are of different scenes");
+    for member in group.advanced(members, until_s, &mut ends) {
+        let i = member.i;
+        ends[i] = group.end(member).ok_or(STOPS);
     }
-    scene.in_lanes().ok_or(WITHOUT_ELIMINATION)?;
-    let mut systems = Vec::with_capacity(runs.len());
-    for run in runs {
-        let mut system = System::with_parameters(scene, &run.parameters, Backend::Auto).map_err(|_| CANNOT_START)?;
+    ends
+}
+
+/// What runs have in common.
+struct Group<'a> {
+    scene: &'a dyn Scene,
+    first: &'a WaitingRun,
+    interrupts: &'a [&'a AtomicBool],
+}
+
+/// A run on its way.
+struct Member<'a> {
+    /// Its place in the list.
+    i: usize,
+    system: System<&'a dyn Scene>,
+    state: State,
+    n_steps: u64,
+    /// How many it would have taken of its own; zero where that is not known.
+    n_steps_of_its_own: f64,
+}
+
+impl<'a> Group<'a> {
+    /// A run at its start.
+    fn member(&self, i: usize, run: &WaitingRun) -> Result<Member<'a>, Alone> {
+        let (Self { scene, first, .. }, info) = (self, self.scene.info());
+        if run.identity != info.identity() {
+            return Err("they are of different scenes");
+        }
+        if (run.start.t, run.until_s, run.tolerance) != (first.start.t, first.until_s, first.tolerance) {
+            return Err("they have different times or tolerances");
+        }
+        scene.in_lanes().ok_or(WITHOUT_ELIMINATION)?;
+        let system = System::with_parameters(*scene, &run.parameters, Backend::Auto);
+        let mut system = system.map_err(|_| CANNOT_START)?;
         system.inputs_mut().copy_from_slice(&run.inputs);
-        systems.push(system);
+        Ok(Member { i, system, state: run.start.clone(), n_steps: 0, n_steps_of_its_own: 0.0 })
     }
-    let starts: Vec<&State> = runs.iter().map(|run| &run.start).collect();
-    let mut together = EightRuns::new(scene, &systems, &starts, Method::default().with_tolerance(first.tolerance))
-        .map_err(|_| CANNOT_START)?;
-    let pivot = |(system, run): (&mut System<&dyn Scene>, &WaitingRun)| {
-        system.at_with(run.start.t, &run.start.q, Rows::Held).smallest_pivot()
-    };
-    let too_near = TOO_NEAR * systems.iter_mut().zip(runs).map(pivot).fold(0.0, f64::max);
-    let mut n_steps = 0;
-    while together.time() < first.until_s {
-        let is_over = interrupts.iter().any(|flag| flag.load(Ordering::Relaxed));
-        if is_over || n_steps == ATTEMPTS_OF_A_PACE {
-            return Err("the eight take very many steps");
+
+    /// Those that come to this time, eight at once; why the others do not.
+    fn advanced(
+        &self,
+        mut members: Vec<Member<'a>>,
+        until_s: f64,
+        ends: &mut [Result<EndOfRun, Alone>],
+    ) -> Vec<Member<'a>> {
+        for eight in members.chunks_mut(N_LANES) {
+            if let Err(why) = self.advance(eight, until_s) {
+                eight.iter().for_each(|member| ends[member.i] = Err(why));
+            }
         }
-        together.step_towards(first.until_s).map_err(|_| STOPS)?;
-        if together.smallest_pivot() < too_near {
-            return Err(STOPS);
-        }
-        n_steps += 1;
+        members.retain(|member| member.state.t == until_s);
+        members
     }
-    let end = |(lane, mut system): (usize, System<&dyn Scene>)| {
-        let (mut at, t) = (Snapshot::zero(&info, false), together.time());
-        at.state = together.state(lane);
+
+    fn advance(&self, eight: &mut [Member<'_>], until_s: f64) -> Result<(), Alone> {
+        let method = Method::default().with_tolerance(self.first.tolerance);
+        let starts: Vec<&State> = eight.iter().map(|member| &member.state).collect();
+        let systems: Vec<&System<&dyn Scene>> = eight.iter().map(|member| &member.system).collect();
+        let mut together = EightRuns::new(self.scene, &systems, &starts, method).map_err(|_| CANNOT_START)?;
+        let pivot = |Member { system, state, .. }: &mut Member<'_>| {
+            system.at_with(state.t, &state.q, Rows::Held).smallest_pivot()
+        };
+        let too_near = TOO_NEAR * eight.iter_mut().map(pivot).fold(0.0, f64::max);
+        let mut n_steps = 0;
+        while together.time() < until_s {
+            let is_over = self.interrupts.iter().any(|flag| flag.load(Ordering::Relaxed));
+            if is_over || n_steps == ATTEMPTS_OF_A_PACE {
+                return Err("the eight take very many steps");
+            }
+            together.step_towards(until_s).map_err(|_| STOPS)?;
+            if together.smallest_pivot() < too_near {
+                return Err(STOPS);
+            }
+            n_steps += 1;
+        }
+        for (lane, member) in eight.iter_mut().enumerate() {
+            member.state = together.state(lane);
+            member.n_steps += n_steps;
+            member.n_steps_of_its_own = together.n_steps_of_its_own(lane).unwrap_or_default();
+        }
+        Ok(())
+    }
+
+    /// What is known of a run at its end.
+    fn end(&self, Member { mut system, state, n_steps, .. }: Member<'_>) -> Option<EndOfRun> {
+        let (info, t) = (self.scene.info(), state.t);
+        let mut at = Snapshot::zero(&info, false);
+        at.state = state;
         at.evaluate(&mut system).ok()?;
         let mut sampler = Sampler::new(Arc::clone(&info), Wanted { outputs: true, ..Wanted::default() }, None);
         sampler.keep(&mut system, &at).ok()?;
         let numbers = sampler.record.samples().next()?.numbers().collect();
         let mut points = vec![0.0; 2 * info.points.len()];
-        scene.points(system.fixed(), t, &at.state.q, &mut points);
+        self.scene.points(system.fixed(), t, &at.state.q, &mut points);
         Some(EndOfRun { numbers, t, points, n_steps })
-    };
-    systems.into_iter().enumerate().map(end).collect::<Option<_>>().ok_or(STOPS)
+    }
 }

@@ -89,6 +89,9 @@ messages! {
     end_of_range(at: Span):
         "expected the end of the range, found `=`", "write `a..b`: the last index is b - 1";
 
+    no_end(found: &Ident, statement: &str):
+        "the `{statement}` before this `{found}` has no end", "write `;` behind it";
+
     empty_start_statement(body: &Ident):
         "nothing is given for `{body}`", "write `{body} at (0, 0) angle 0;` or remove `{body}`";
 

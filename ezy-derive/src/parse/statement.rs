@@ -2,6 +2,7 @@
 
 use super::ast::{Expr, ItemKind, Name, Phrase, Statement};
 use super::expression::{expression, indexed};
+use super::item::Level;
 use super::place::{on_body, place};
 use super::token::{expected, peek_word, sign, take, word};
 use crate::diag::syntax;
@@ -136,7 +137,11 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
     while !input.peek(Token![;]) {
         let Some((found, _)) = input.cursor().ident() else { return Err(no_word(input, known, statement, &names)) };
         let Some(i) = names.iter().position(|name| found == name) else {
-            return Err(syntax::unknown_word(&found, &place_of(statement), &names));
+            let begins_another = Level::Model.words().iter().any(|word| found == word);
+            return Err(match begins_another {
+                true => syntax::no_end(&found, statement.word),
+                false => syntax::unknown_word(&found, &place_of(statement), &names),
+            });
         };
         let word = input.call(Ident::parse_any)?;
         if let Some((first, _)) = &given[i] {

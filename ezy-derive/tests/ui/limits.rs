@@ -8,6 +8,7 @@ ezy_core::model! {
         skate word: at sled(0, 0) along sled(1, 0) max 3;
         skate comma: at sled(0, 0) along sled(1, 0), limit 3;
         skate colon: at sled(0, 0) along sled(1, 0): limit 3;
+        skate open: at sled(0, 0) along sled(1, 0)
         skate twice: at sled(0, 0) along sled(1, 0) limit 3, limit 4;
         roll wheel: at sled(0, 0) along sled(1, 0) = 0 limit 3;
         skate ratio: at sled(0, 0) along sled(1, 0) limit mu;

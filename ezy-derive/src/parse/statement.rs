@@ -2,11 +2,10 @@
 
 use super::ast::{Expr, ItemKind, Name, Phrase, Statement};
 use super::expression::{expression, indexed};
-use super::item::Level;
 use super::place::{on_body, place};
 use super::token::{expected, peek_word, sign, take, word};
 use crate::diag::syntax;
-use crate::grammar::{Beginning, IfAbsent, Part, Setting, Word};
+use crate::grammar::{Beginning, IfAbsent, Part, Setting, WORDS, Word};
 use proc_macro2::{Delimiter, Ident};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -137,7 +136,7 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
     while !input.peek(Token![;]) {
         let Some((found, _)) = input.cursor().ident() else { return Err(no_word(input, known, statement, &names)) };
         let Some(i) = names.iter().position(|name| found == name) else {
-            let begins_another = Level::Model.words().iter().any(|word| found == word);
+            let begins_another = WORDS.iter().any(|another| found == another.word);
             return Err(match begins_another {
                 true => syntax::no_end(&found, statement.word),
                 false => syntax::unknown_word(&found, &place_of(statement), &names),

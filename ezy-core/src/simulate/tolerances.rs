@@ -254,7 +254,7 @@ pub(crate) mod orders {
 
 /// Runs in lanes.
 pub(crate) mod lanes {
-    /// How much of a motion tells which runs take steps of similar length: enough for a hundred steps to have passed their start.
+    /// How much of a motion tells which runs take steps of similar length. A tenth is more than the first steps, which are short in all of them.
     /// Unit: share of the run.
     /// Test: `invariant_runs_with_steps_of_similar_length_go_together`.
     pub(crate) const LOOKED_AT: f64 = 0.1;

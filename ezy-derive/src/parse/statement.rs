@@ -136,10 +136,11 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
     while !input.peek(Token![;]) {
         let Some((found, _)) = input.cursor().ident() else { return Err(no_word(input, known, statement, &names)) };
         let Some(i) = names.iter().position(|name| found == name) else {
-            let begins_another = WORDS.iter().any(|another| found == another.word);
-            return Err(match begins_another {
-                true => syntax::no_end(&found, statement.word),
-                false => syntax::unknown_word(&found, &place_of(statement), &names),
+            let needs_none = statement.is_row() && known.iter().all(|setting| setting.if_absent != IfAbsent::Required);
+            let may_have_ended = needs_none && given.iter().all(Option::is_none);
+            return Err(match WORDS.iter().any(|another| found == another.word) {
+                true if may_have_ended => syntax::no_end(&found, statement.word),
+                _ => syntax::unknown_word(&found, &place_of(statement), &names),
             });
         };
         let word = input.call(Ident::parse_any)?;

@@ -77,11 +77,11 @@ impl<P: SceneRef> EightRuns<P> {
         }
     }
 
-    /// How many steps a run would have taken so far if it had chosen them alone, to compare runs; `None` where that is not known.
-    pub(in crate::simulate) fn n_steps_of_its_own(&self, lane: usize) -> Option<f64> {
+    /// How many steps a run would have taken so far if it had chosen them alone, to compare runs; zero where that is not known.
+    pub(in crate::simulate) fn n_steps_of_its_own(&self, lane: usize) -> f64 {
         match &self.form {
-            Form::OfRows(_) => None,
-            Form::InQuasiVelocities(runs) => Some(runs.n_steps_of_its_own(lane)),
+            Form::OfRows(_) => 0.0,
+            Form::InQuasiVelocities(runs) => runs.n_steps_of_its_own(lane),
         }
     }
 

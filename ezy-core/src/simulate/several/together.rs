@@ -140,6 +140,8 @@ struct Member<'a> {
     i: usize,
     system: System<&'a dyn Scene>,
     state: State,
+    /// The smallest pivot of its rows at the start.
+    pivot: f64,
     n_steps: u64,
     /// How many it would have taken of its own; zero where that is not known.
     n_steps_of_its_own: f64,
@@ -159,7 +161,9 @@ impl<'a> Group<'a> {
         let system = System::with_parameters(*scene, &run.parameters, Backend::Auto);
         let mut system = system.map_err(|_| CANNOT_START)?;
         system.inputs_mut().copy_from_slice(&run.inputs);
-        Ok(Member { i, system, state: run.start.clone(), n_steps: 0, n_steps_of_its_own: 0.0 })
+        let State { t, q, .. } = &run.start;
+        let pivot = system.at_with(*t, q, Rows::Held).smallest_pivot();
+        Ok(Member { i, system, state: run.start.clone(), pivot, n_steps: 0, n_steps_of_its_own: 0.0 })
     }
 
     /// Those that come to this time, eight at once; why the others do not.
@@ -183,10 +187,7 @@ impl<'a> Group<'a> {
         let starts: Vec<&State> = eight.iter().map(|member| &member.state).collect();
         let systems: Vec<&System<&dyn Scene>> = eight.iter().map(|member| &member.system).collect();
         let mut together = EightRuns::new(self.scene, &systems, &starts, method).map_err(|_| CANNOT_START)?;
-        let pivot = |Member { system, state, .. }: &mut Member<'_>| {
-            system.at_with(state.t, &state.q, Rows::Held).smallest_pivot()
-        };
-        let too_near = TOO_NEAR * eight.iter_mut().map(pivot).fold(0.0, f64::max);
+        let too_near = TOO_NEAR * eight.iter().map(|member| member.pivot).fold(0.0, f64::max);
         let mut n_steps = 0;
         while together.time() < until_s {
             let is_over = self.interrupts.iter().any(|flag| flag.load(Ordering::Relaxed));
@@ -202,7 +203,7 @@ impl<'a> Group<'a> {
         for (lane, member) in eight.iter_mut().enumerate() {
             member.state = together.state(lane);
             member.n_steps += n_steps;
-            member.n_steps_of_its_own = together.n_steps_of_its_own(lane).unwrap_or_default();
+            member.n_steps_of_its_own = together.n_steps_of_its_own(lane);
         }
         Ok(())
     }

@@ -167,7 +167,8 @@ impl<P: SceneRef> Assembly<'_, P> {
     }
 
     /// Gauss–Newton from `q` as far as it goes, with steps halved until they shorten the residual. Rows that are met at the
-    /// first look leave `q` alone; else one pass more, for rounding, follows the one that meets them. What is `held` (`n_v`) does not move.
+    /// first look leave `q` alone; else one pass more, for rounding, follows the one that meets them, and takes its whole step or none. What is `held`
+    /// (`n_v`) does not move.
     fn approach(&mut self, t: f64, held: &[bool], q: &mut [f64]) -> Residual {
         let n_h = self.system.info.n_position_rows;
         let (mut trial, mut part) = (q.to_vec(), vec![0.0; held.len()]);
@@ -184,7 +185,7 @@ impl<P: SceneRef> Assembly<'_, P> {
             // a least-squares step shortens the vector of residuals, not always the largest of them
             let mut fraction = (LARGEST_TURN / turn).min(1.0);
             let mut improved = false;
-            for _ in 0..MAX_HALVINGS {
+            for _ in 0..if is_last { 1 } else { MAX_HALVINGS } {
                 trial.copy_from_slice(q);
                 part.iter_mut().zip(&step).for_each(|(part, step)| *part = fraction * step);
                 self.system.retract(&mut trial, &part);

@@ -185,7 +185,8 @@ impl<P: SceneRef> Assembly<'_, P> {
             // a least-squares step shortens the vector of residuals, not always the largest of them
             let mut fraction = (LARGEST_TURN / turn).min(1.0);
             let mut improved = false;
-            for _ in 0..if is_last { 1 } else { MAX_HALVINGS } {
+            let n_trials = if is_last { 1 } else { MAX_HALVINGS };
+            for _ in 0..n_trials {
                 trial.copy_from_slice(q);
                 part.iter_mut().zip(&step).for_each(|(part, step)| *part = fraction * step);
                 self.system.retract(&mut trial, &part);

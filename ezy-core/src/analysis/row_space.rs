@@ -108,7 +108,8 @@ impl SparseRows {
                 left[column] -= value * solution[*n + row];
                 left[*n + row] -= value * solution[column];
             }
-            factors.solve(&mut left);
+            let (of_x, of_rows) = left.split_at_mut(*n);
+            factors.solve(of_x, of_rows);
             solution.iter_mut().zip(&left).for_each(|(x, change)| *x += change);
         }
         solution.truncate(*n);

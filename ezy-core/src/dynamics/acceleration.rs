@@ -47,10 +47,8 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
     /// The same by factors of K.
     fn solve_accelerations(&mut self, v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Result<Solved, MotionError> {
         self.system.counters.evaluations += 1;
-        self.write_right_side(v);
-        let solved = self.factor_and_solve()?;
-        self.read_solution(a, lambda);
-        Ok(solved)
+        self.write_right_side(v, a, lambda);
+        self.factor_and_solve(a, lambda)
     }
 
     /// The smallest `delta` (`n_q`) in the mass matrix with `G delta = −residual` (`n_c`).
@@ -64,49 +62,45 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
                 return Ok(Solved::regular(smallest));
             }
         }
-        let solved = self.solve_correction(residual)?;
-        delta.copy_from_slice(self.system.factors.delta());
-        Ok(solved)
+        let mut rows = std::mem::take(&mut self.system.residual);
+        rows.copy_from_slice(residual);
+        let solved = self.solve_correction(&mut rows, delta);
+        self.system.residual = rows;
+        solved
     }
 
-    /// The same by factors of K, into the buffer.
-    pub(super) fn solve_correction(&mut self, residual: &[f64]) -> Result<Solved, MotionError> {
-        let (delta, rows) = self.system.factors.right_side.split_at_mut(self.system.info.n_velocities());
+    /// The same by factors of K; the residual is lost.
+    pub(super) fn solve_correction(&mut self, residual: &mut [f64], delta: &mut [f64]) -> Result<Solved, MotionError> {
         delta.fill(0.0);
-        rows.iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
-        self.factor_and_solve()
+        residual.iter_mut().for_each(|r| *r = -*r);
+        self.factor_and_solve(delta, residual)
     }
 
-    /// `[F; −[h; s]]` into the buffer.
-    pub(super) fn write_right_side(&mut self, v: &[f64]) {
-        let System { scene, fixed, factors, sines, .. } = &mut *self.system;
-        let (F, gamma) = factors.right_side.split_at_mut(v.len());
+    /// F and `−[h; s]`.
+    pub(super) fn write_right_side(&mut self, v: &[f64], F: &mut [f64], gamma: &mut [f64]) {
+        let System { scene, fixed, sines, .. } = &mut *self.system;
         let sines = sines.at(self.q);
         scene.applied_force_with_sines(fixed, self.t, self.q, v, sines, F);
         scene.convective_term_with_sines(fixed, self.t, self.q, v, sines, gamma);
         gamma.iter_mut().for_each(|h| *h = -*h);
     }
 
-    fn read_solution(&self, a: &mut [f64], lambda: &mut [f64]) {
-        let (solved_a, solved_lambda) = self.system.factors.right_side.split_at(a.len());
-        a.copy_from_slice(solved_a);
-        lambda.copy_from_slice(solved_lambda);
-    }
-
-    /// Puts accelerations that were not eliminated, and that stand in the buffer, into the equations.
+    /// Puts accelerations that were not eliminated into the equations.
     ///
     /// # Errors
     /// [`MotionError::NotFinite`], [`MotionError::ContradictoryRows`], [`MotionError::LostInRounding`].
-    fn verify(&mut self, v: &[f64], solved: Solved) -> Result<(), MotionError> {
+    fn verify(&mut self, v: &[f64], a: &[f64], lambda: &[f64], solved: Solved) -> Result<(), MotionError> {
         let (t, q, info) = (self.t, self.q, Arc::clone(&self.system.info));
-        let solution = self.system.factors.right_side.clone();
-        self.write_right_side(v);
+        let solution = [a, lambda].concat();
+        let mut right_side = vec![0.0; solution.len()];
+        let (r, s) = right_side.split_at_mut(a.len());
+        self.write_right_side(v, r, s);
         let System { mass, factors, .. } = &*self.system;
         let weight = weights(mass);
         let mut diagonal = vec![0.0; info.n_rows()];
         write_diagonal(info.jacobian.entries(), &weight, &factors.jacobian, &mut diagonal);
         let mut equations = EquationResidual::new(info.n_velocities(), info.n_rows(), &info.jacobian);
-        equations.write(mass, &factors.jacobian, &factors.right_side, &solution);
+        equations.write(mass, &factors.jacobian, &right_side, &solution);
         let left = equations.share_of_what_matters(&weight, &diagonal);
         if left <= TOLERANCE {
             return Ok(());
@@ -149,12 +143,9 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
 
     /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors that [`Self::factor`] or [`Self::begin_series`] made here.
     pub(crate) fn solve(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Solved {
-        let right_side = &mut self.system.factors.right_side;
-        right_side[..force.len()].copy_from_slice(force);
-        right_side[force.len()..].copy_from_slice(row);
-        let solved = self.solve_in_buffer();
-        self.read_solution(a, lambda);
-        solved
+        a.copy_from_slice(force);
+        lambda.copy_from_slice(row);
+        self.solve_by_factors(a, lambda)
     }
 
     /// Projects `x` (`n_v`) onto the null space of G, in the mass matrix: G x = 0 afterwards.
@@ -166,7 +157,7 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
     pub(crate) fn project_onto_null_space(&mut self, x: &mut [f64]) -> Result<(), MotionError> {
         self.system.residual.fill(0.0);
         self.find_correction(x)?;
-        x.iter_mut().zip(self.system.factors.delta()).for_each(|(x, delta)| *x += delta);
+        x.iter_mut().zip(&self.system.factors.delta).for_each(|(x, delta)| *x += delta);
         Ok(())
     }
 
@@ -182,7 +173,7 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         let System { scene, fixed, residual, sines, .. } = &mut *self.system;
         scene.convective_term_with_sines(fixed, self.t, self.q, v, sines.at(self.q), residual);
         let found = self.find_correction(a);
-        let delta = self.system.factors.delta_mut();
+        let delta = &mut self.system.factors.delta;
         if found.is_err() {
             delta.fill(0.0);
         }
@@ -232,7 +223,7 @@ impl<P: SceneRef> System<P> {
         let n = at.system.info.n_unknowns();
         // what the elimination gives is taken as it is, and large systems of full rank
         if !at.may_eliminate() && (n <= LARGEST_DIAGNOSED || solved.is_rank_deficient) {
-            at.verify(v, solved)?;
+            at.verify(v, a, lambda, solved)?;
         }
         Ok(solved)
     }
@@ -256,7 +247,7 @@ impl<P: SceneRef> System<P> {
             Metric::Mass => self.at_with(t, q, Rows::Projected).correction(residual, delta),
             Metric::Euclidean => {
                 let solved = self.projector().euclidean_correction(t, q, residual)?;
-                delta.copy_from_slice(self.factors.delta());
+                delta.copy_from_slice(&self.factors.delta);
                 Ok(solved)
             }
         }

@@ -113,7 +113,7 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         let pivot = if self.may_eliminate() {
             let System { scene, fixed, residual, factors, counters, .. } = &mut *self.system;
             residual.fill(0.0);
-            let pivots = scene.correction(fixed, self.t, self.q, residual, factors.delta_mut());
+            let pivots = scene.correction(fixed, self.t, self.q, residual, &mut factors.delta);
             counters.eliminated(pivots).unwrap_or(0.0)
         } else {
             let of_rows = self.pivot_of_rows();
@@ -152,24 +152,27 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
     /// # Errors
     /// [`MotionError`] when a number is not finite or a coordinate is undetermined.
     pub(crate) fn factor(&mut self) -> Result<(), MotionError> {
-        self.factor_and(false)
+        self.factor_with(None).map(|_| ())
     }
 
-    /// As [`Self::factor`], then replaces the right side `[r; s]` in the buffer by `[x; y]`.
+    /// As [`Self::factor`], then replaces r by x and s by y.
     ///
     /// # Errors
     /// As [`Self::factor`].
-    pub(super) fn factor_and_solve(&mut self) -> Result<Solved, MotionError> {
-        self.factor_and(true)?;
-        Ok(self.solve_in_buffer())
+    pub(super) fn factor_and_solve(&mut self, r: &mut [f64], s: &mut [f64]) -> Result<Solved, MotionError> {
+        Ok(match self.factor_with(Some((&mut *r, &mut *s)))? {
+            true => Solved::regular(self.pivot()),
+            false => self.solve_by_factors(r, s),
+        })
     }
 
-    /// [`Self::factor`]; sparse factors solve in the same sweep where that is asked for.
-    fn factor_and(&mut self, solves: bool) -> Result<(), MotionError> {
+    /// [`Self::factor`]; returns whether the right side was solved for in the same sweep, as sparse factors do.
+    fn factor_with(&mut self, right_side: Option<(&mut [f64], &mut [f64])>) -> Result<bool, MotionError> {
         let (t, q, rows) = (self.t, self.q, self.rows);
         if self.system.factors.are_of(t, q, rows) {
-            return Ok(());
+            return Ok(false);
         }
+        let solves = right_side.is_some();
         let System { scene, info, fixed, mass, geometry, solver, active, factors, counters, sines, .. } =
             &mut *self.system;
         counters.factorizations += 1;
@@ -181,12 +184,12 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
             && rows != Rows::Held
             && active.off().is_empty()
         {
-            let factored = match solves {
-                true => kkt.factor_and_solve(&factors.jacobian, &mut factors.right_side),
-                false => kkt.factor(&factors.jacobian),
+            let factored = match right_side {
+                Some((r, s)) => kkt.factor_and_solve(&factors.jacobian, r, s),
+                None => kkt.factor(&factors.jacobian),
             };
             match factored {
-                Ok(()) => (made, factors.is_solved) = (Made::Sparse, solves),
+                Ok(()) => made = Made::Sparse,
                 Err(at) => vanished = Some(at.row),
             }
         }
@@ -212,7 +215,7 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         if is_singular && rows == Rows::Held {
             // held rows have come to depend on each other
             self.rows = Rows::Projected;
-            return self.factor_and(solves);
+            return self.factor_with(None);
         }
         if is_singular {
             return Err(self.why_singular());
@@ -221,7 +224,7 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         let smallest = self.pivot();
         let counters = &mut self.system.counters;
         counters.least_pivot = counters.least_pivot.min(smallest);
-        Ok(())
+        Ok(solves && made == Made::Sparse)
     }
 
     /// Of the factors.
@@ -234,27 +237,29 @@ impl<'c, P: SceneRef> Configuration<'c, P> {
         }
     }
 
-    /// Replaces the right side `[r; s]` in the buffer of the factors by `[x; y]`.
-    pub(super) fn solve_in_buffer(&mut self) -> Solved {
+    /// Replaces r by x and s by y, with the factors at hand.
+    pub(super) fn solve_by_factors(&mut self, r: &mut [f64], s: &mut [f64]) -> Solved {
         let smallest_pivot = self.pivot();
         let System { mass, geometry, solver, factors, .. } = &mut *self.system;
-        let Factors { made, dense, damped, jacobian, right_side, is_solved, .. } = factors;
+        let Factors { made, dense, damped, jacobian, both, .. } = factors;
+        if let (Made::Sparse, Solver::Sparse(kkt)) = (&made, &mut *solver) {
+            kkt.solve(r, s);
+            return Solved::regular(smallest_pivot);
+        }
+        both.clear();
+        both.extend(r.iter().chain(&*s));
         let (is_rank_deficient, left) = match (made, solver, dense, damped) {
-            (Made::Sparse, Solver::Sparse(kkt), ..) => {
-                if !std::mem::take(is_solved) {
-                    kkt.solve(right_side);
-                }
-                (false, Left::default())
-            }
             (Made::Damped(_), Solver::Sparse(kkt), _, Some(damped)) => {
-                (true, damped.solve(kkt.as_mut(), mass, jacobian, &geometry.units, right_side))
+                (true, damped.solve(kkt.as_mut(), mass, jacobian, &geometry.units, both))
             }
             (_, _, Some(dense), _) => {
-                let left = dense.solve(right_side);
+                let left = dense.solve(both);
                 (dense.rank().n_redundant() > 0, left)
             }
             _ => (false, Left::default()),
         };
+        r.copy_from_slice(&both[..r.len()]);
+        s.copy_from_slice(&both[r.len()..]);
         Solved { smallest_pivot, is_rank_deficient, left }
     }
 

@@ -46,8 +46,10 @@ impl<P: SceneRef> Diagnosis<'_, P> {
         if !scene.accelerations(fixed, t, q, v, a, lambda).all_keep() {
             return 0.0;
         }
-        self.system.at(t, q).write_right_side(v);
-        let exact = &estimator.solution(&self.system.factors.right_side)[a.len()..];
+        let mut right_side = vec![0.0; a.len() + lambda.len()];
+        let (r, s) = right_side.split_at_mut(a.len());
+        self.system.at(t, q).write_right_side(v, r, s);
+        let exact = &estimator.solution(&right_side)[a.len()..];
         let relative = |(exact, found): (&f64, &mut f64)| (exact - *found).abs() / (1.0 + exact.abs());
         let largest = exact.iter().zip(lambda).map(relative).fold(0.0, f64::max);
         if largest.is_finite() { largest } else { 0.0 }

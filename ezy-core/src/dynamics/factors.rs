@@ -30,11 +30,10 @@ pub(super) struct Factors {
     pub ahead: Ahead,
     /// Answers questions of rank beside the factors; made when it is first needed.
     pub(super) rank: Option<Box<RankRevealing>>,
-    /// `[r; s]` and `[x; y]`, `n_v + n_c`.
-    pub right_side: Vec<f64>,
-    n_v: usize,
-    /// Whether the solution stands there already.
-    pub(super) is_solved: bool,
+    /// The last correction, `n_v`.
+    pub delta: Vec<f64>,
+    /// `[r; s]` and `[x; y]` of solvers that take them one behind the other; sized when it is first needed.
+    pub(super) both: Vec<f64>,
 }
 
 /// By which method.
@@ -59,9 +58,8 @@ impl Factors {
             damped: None,
             ahead: if eliminates { Ahead::new([n_q, n_v], n_rows) } else { Ahead::new([0; 2], 0) },
             rank: None,
-            right_side: vec![0.0; n_v + n_rows],
-            n_v,
-            is_solved: false,
+            delta: vec![0.0; n_v],
+            both: Vec::new(),
         }
     }
 
@@ -79,15 +77,6 @@ impl Factors {
     #[inline]
     fn are_at(&self, t: f64, q: &[f64]) -> bool {
         self.t == t && self.q == q
-    }
-
-    /// The first part of the solution that stands in the buffer, `n_v`.
-    pub(super) fn delta(&self) -> &[f64] {
-        &self.right_side[..self.n_v]
-    }
-
-    pub(super) fn delta_mut(&mut self) -> &mut [f64] {
-        &mut self.right_side[..self.n_v]
     }
 
     /// Entries of G at a configuration; factors of another one are not good behind it.

@@ -83,11 +83,10 @@ impl<P: SceneRef> Assembly<'_, P> {
         write_diagonal(info.jacobian.entries(), &weight, jacobian, &mut damping);
         damping.iter_mut().for_each(|d| *d *= DAMPING);
         kkt.factor_damped(jacobian, &damping).ok()?;
-        let mut solution = vec![0.0; n_v + n_c];
-        solution[n_v..].iter_mut().zip(&residual[..n_rows]).for_each(|(s, r)| *s = -r);
-        kkt.solve(&mut solution);
-        solution.truncate(n_v);
-        Some(solution)
+        let (mut delta, mut rows) = (vec![0.0; n_v], vec![0.0; n_c]);
+        rows.iter_mut().zip(&residual[..n_rows]).for_each(|(s, r)| *s = -r);
+        kkt.solve(&mut delta, &mut rows);
+        Some(delta)
     }
 
     /// By singular values over the free coordinates, rows in units of their sizes. What has mass takes away what massless

@@ -116,7 +116,13 @@ impl Geometry {
         self.is_met_by(residual.iter().map(|c| c.abs()))
     }
 
-    /// The same by the sizes of the residuals.
+    /// Whether they are met but for the rounding of the largest coordinates of `q`.
+    pub(super) fn is_nearly_met(&self, residual: &[f64], q: &[f64]) -> bool {
+        let extent = self.extent(q);
+        residual.iter().enumerate().all(|(row, c)| c.abs() <= self.position_tolerance(row, extent))
+    }
+
+    /// [`Self::is_met`] by the sizes of the residuals.
     #[inline]
     pub(super) fn is_met_by(&self, residual: impl Iterator<Item = f64>) -> bool {
         residual.zip(&self.sizes).all(|(c, size)| c <= TOLERANCE * size.min(1.0))
@@ -245,6 +251,7 @@ mod tests {
             ([0.0, 0.0, f64::NAN], false),
         ] {
             assert_eq!(geometry.is_met(&residual), is_met, "{residual:?}");
+            assert_eq!(geometry.is_nearly_met(&residual, &[1e6, 0.0, 0.0]), residual[2].is_finite(), "{residual:?}");
         }
     }
 

@@ -177,7 +177,7 @@ impl<P: SceneRef> Projector<'_, P> {
         if projection.velocities() {
             let mut solved;
             (projected.velocities_before, solved) = self.move_velocities(t, q, v, metric, next)?;
-            let (removed, correction) = (projected.velocities_before.value, max_abs(self.system.factors.delta()));
+            let (removed, correction) = (projected.velocities_before.value, max_abs(&self.system.factors.delta));
             if correction > NEAR_RANK_LOSS * removed
                 && projection.positions()
                 && let Some(again) = self.correct_near_rank_loss(t, q, v, metric, next, removed)?
@@ -202,10 +202,10 @@ impl<P: SceneRef> Projector<'_, P> {
         removed: f64,
     ) -> Result<Option<Solved>, MotionError> {
         // levers of a millimetre alone make angles a thousand times as large
-        if self.system.geometry.length_of(self.system.factors.delta()) <= NEAR_RANK_LOSS * removed {
+        if self.system.geometry.length_of(&self.system.factors.delta) <= NEAR_RANK_LOSS * removed {
             return Ok(None);
         }
-        v.iter_mut().zip(self.system.factors.delta()).for_each(|(v, delta)| *v -= delta);
+        v.iter_mut().zip(&self.system.factors.delta).for_each(|(v, delta)| *v -= delta);
         for _ in 0..PASSES_NEAR_RANK_LOSS {
             self.polish_positions_in(t, q, metric)?;
         }
@@ -223,7 +223,7 @@ impl<P: SceneRef> Projector<'_, P> {
             let norm = worst.value;
             let residual = &self.system.residual[..n_h];
             if self.system.geometry.is_met(residual)
-                || self.system.geometry.position_excess(residual, q) <= 1.0
+                || self.system.geometry.is_nearly_met(residual, q)
                     && (passes == MAX_PASSES && norm <= largest_left(q) || self.is_rounding(t, q, passes))
             {
                 return Ok(([before, worst], passes));
@@ -301,7 +301,7 @@ impl<P: SceneRef> Projector<'_, P> {
             Metric::Mass => self.correct(t, q, metric, Rows::Held)?,
             Metric::Euclidean => self.correct_first(t, q, n_h)?,
         };
-        body_kind::retract(&self.system.info.kinds, q, self.system.factors.delta());
+        body_kind::retract(&self.system.info.kinds, q, &self.system.factors.delta);
         Ok(solved)
     }
 
@@ -319,8 +319,7 @@ impl<P: SceneRef> Projector<'_, P> {
             next.accelerates && metric == Metric::Mass && self.system.at_with(t, q, next.rows).may_eliminate();
         if accelerates && let Some(smallest) = self.eliminate_ahead(t, q, v) {
             let (residual, projected) = self.system.factors.ahead.velocities();
-            let delta = &mut self.system.factors.right_side;
-            delta.iter_mut().zip(v).zip(projected).for_each(|((delta, v), projected)| {
+            self.system.factors.delta.iter_mut().zip(v).zip(projected).for_each(|((delta, v), projected)| {
                 *delta = projected - *v;
                 *v = *projected;
             });
@@ -333,7 +332,7 @@ impl<P: SceneRef> Projector<'_, P> {
             self.correct(t, q, metric, next.rows)?
         };
         self.system.diagnosis().check_velocities(t, q, v, solved)?;
-        v.iter_mut().zip(self.system.factors.delta()).for_each(|(v, delta)| *v += delta);
+        v.iter_mut().zip(&self.system.factors.delta).for_each(|(v, delta)| *v += delta);
         Ok((worst, solved))
     }
 
@@ -353,7 +352,7 @@ impl<P: SceneRef> Projector<'_, P> {
     pub(super) fn correct(&mut self, t: f64, q: &[f64], metric: Metric, rows: Rows) -> Result<Solved, MotionError> {
         if metric == Metric::Mass && self.system.at_with(t, q, rows).may_eliminate() {
             let System { scene, fixed, residual, factors, counters, .. } = &mut *self.system;
-            let pivots = scene.correction(fixed, t, q, residual, factors.delta_mut());
+            let pivots = scene.correction(fixed, t, q, residual, &mut factors.delta);
             if let Some(smallest) = counters.eliminated(pivots) {
                 return Ok(Solved::regular(smallest));
             }
@@ -362,9 +361,14 @@ impl<P: SceneRef> Projector<'_, P> {
     }
 
     fn correct_by_factors(&mut self, t: f64, q: &[f64], metric: Metric, rows: Rows) -> Result<Solved, MotionError> {
-        let residual = std::mem::take(&mut self.system.residual);
+        let mut residual = std::mem::take(&mut self.system.residual);
         let outcome = match metric {
-            Metric::Mass => self.system.at_with(t, q, rows).solve_correction(&residual),
+            Metric::Mass => {
+                let mut delta = std::mem::take(&mut self.system.factors.delta);
+                let solved = self.system.at_with(t, q, rows).solve_correction(&mut residual, &mut delta);
+                self.system.factors.delta = delta;
+                solved
+            }
             Metric::Euclidean => self.euclidean_correction(t, q, &residual),
         };
         self.system.residual = residual;
@@ -384,9 +388,9 @@ impl<P: SceneRef> Projector<'_, P> {
         self.system.counters.factorizations += 1;
         let System { scene, info, fixed, geometry, active, factors, euclidean, sines, .. } = &mut *self.system;
         factors.jacobian_at(scene, fixed, sines, t, q);
-        let Factors { jacobian, right_side, .. } = factors;
+        let Factors { jacobian, delta, .. } = factors;
         let euclidean = Euclidean::of(euclidean, info, &geometry.units)?;
-        let solved = euclidean.correction(jacobian, residual, active.off(), &mut right_side[..info.n_velocities()]);
+        let solved = euclidean.correction(jacobian, residual, active.off(), delta);
         solved.ok_or(MotionError::NotFinite { t, quantity: "the constraint Jacobian".into() })
     }
 }

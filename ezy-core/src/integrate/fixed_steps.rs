@@ -117,44 +117,14 @@ pub(super) fn add<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slope: 
     add(&mut to.work, &from.work, &slope.work, &mut rest.work);
 }
 
-/// What a state holds, or the rates of that.
-#[derive(Clone, Copy)]
-pub(super) struct Numbers<'s, T> {
-    pub q: &'s [T],
-    pub v: &'s [T],
-    pub z: &'s [T],
-    pub work: &'s [T],
-}
-
-impl<'s, T> From<&'s State<T>> for Numbers<'s, T> {
-    fn from(State { q, v, z, work, .. }: &'s State<T>) -> Self {
-        Self { q, v, z, work }
-    }
-}
-
-impl<'s, T> From<Node<'s, T>> for Numbers<'s, T> {
-    /// The rates.
-    fn from(Node { q_rate, a, rate, power, .. }: Node<'s, T>) -> Self {
-        Self { q: q_rate, v: a, z: rate, work: power }
-    }
-}
-
-/// `to = from + h slope`. The time is left alone.
-pub(super) fn advance<'s, T: Scalar>(
-    to: &mut State<T>,
-    from: impl Into<Numbers<'s, T>>,
-    h: f64,
-    slope: impl Into<Numbers<'s, T>>,
-) {
-    let (h, from, slope) = (T::from_f64(h), from.into(), slope.into());
-    line(&mut to.q, from.q, h, slope.q);
-    line(&mut to.v, from.v, h, slope.v);
-    line(&mut to.z, from.z, h, slope.z);
-    line(&mut to.work, from.work, h, slope.work);
-}
-
-/// `to = from + h slope`.
-#[inline]
-pub(super) fn line<T: Scalar>(to: &mut [T], from: &[T], h: T, slope: &[T]) {
-    to.iter_mut().zip(from).zip(slope).for_each(|((to, from), slope)| *to = *from + h * *slope);
+/// `to = from + h rates`. The time is left alone.
+pub(super) fn advance<T: Scalar>(to: &mut State<T>, from: Node<'_, T>, h: f64) {
+    let (Node { state, q_rate, a, rate, power, .. }, h) = (from, T::from_f64(h));
+    let each = |to: &mut [T], from: &[T], rates: &[T]| {
+        to.iter_mut().zip(from).zip(rates).for_each(|((to, from), rate)| *to = *from + h * *rate);
+    };
+    each(&mut to.q, &state.q, q_rate);
+    each(&mut to.v, &state.v, a);
+    each(&mut to.z, &state.z, rate);
+    each(&mut to.work, &state.work, power);
 }

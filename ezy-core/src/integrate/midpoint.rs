@@ -58,7 +58,7 @@ impl<T: Scalar> Stages<T> for Midpoint<T> {
         to: &mut State<T>,
     ) -> Result<(), MotionError> {
         let Self { stage, slope, rest, lambda } = self;
-        advance(stage, from.state, 0.5 * h, from);
+        advance(stage, from, 0.5 * h);
         stage.t = from.state.t + 0.5 * h;
         system.position_rates(&stage.q, &stage.v, &mut slope.q);
         system.place_states(&stage.z);

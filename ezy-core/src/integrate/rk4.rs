@@ -1,7 +1,7 @@
 //! The classical Runge–Kutta method of order 4.
 
 use super::family::{Family, MethodInfo, Needs, Sizes};
-use super::fixed_steps::{FixedSteps, Numbers, Stages, advance, line};
+use super::fixed_steps::{FixedSteps, Stages};
 use super::hermite::Node;
 use super::step_control::Tolerance;
 use super::tolerances::second_run::{ROUNDING, TIGHTER};
@@ -55,19 +55,48 @@ impl<T: Scalar> Rk4<T> {
         Self { stage: zero.clone(), slope, rest: zero, lambda: vec![T::from_f64(0.0); n_c] }
     }
 
-    fn slope(&self) -> Numbers<'_, T> {
-        let numbers = Numbers::from(&self.slope);
-        if numbers.q.is_empty() { Numbers { q: &self.stage.v, ..numbers } } else { numbers }
+    /// The stage at `from + h rates` of its start; `sum` are these rates. Times are left alone.
+    fn begin(&mut self, sum: &mut State<T>, from: Node<'_, T>, h: f64) {
+        let Self { stage, .. } = self;
+        let (Node { state, q_rate, a, rate, power, .. }, h) = (from, T::from_f64(h));
+        let each = |sum: &mut [T], stage: &mut [T], from: &[T], rates: &[T]| {
+            for (((sum, stage), from), rate) in sum.iter_mut().zip(stage).zip(from).zip(rates) {
+                (*sum, *stage) = (*rate, *from + h * *rate);
+            }
+        };
+        each(&mut sum.q, &mut stage.q, &state.q, q_rate);
+        each(&mut sum.v, &mut stage.v, &state.v, a);
+        each(&mut sum.z, &mut stage.z, &state.z, rate);
+        each(&mut sum.work, &mut stage.work, &state.work, power);
     }
 
-    /// The stage at `from + h slope`. The time is left alone.
-    fn advance_stage(&mut self, from: &State<T>, h: f64) {
-        let (Self { stage, slope, .. }, h) = (self, T::from_f64(h));
+    /// Adds the slope of a stage in the middle to `sum`, twice; the next stage is at `from + h slope`.
+    fn go_on(&mut self, sum: &mut State<T>, from: &State<T>, h: f64) {
+        let (Self { stage, slope, .. }, h, twice) = (self, T::from_f64(h), T::from_f64(2.0));
+        let each = |sum: &mut [T], stage: &mut [T], from: &[T], slope: &[T]| {
+            for (((sum, stage), from), slope) in sum.iter_mut().zip(stage).zip(from).zip(slope) {
+                (*sum, *stage) = (*sum + twice * *slope, *from + h * *slope);
+            }
+        };
         // coordinates come first: the velocities that are their rates are those of the stage before
-        line(&mut stage.q, &from.q, h, if slope.q.is_empty() { &stage.v } else { &slope.q });
-        line(&mut stage.v, &from.v, h, &slope.v);
-        line(&mut stage.z, &from.z, h, &slope.z);
-        line(&mut stage.work, &from.work, h, &slope.work);
+        each(&mut sum.q, &mut stage.q, &from.q, if slope.q.is_empty() { &stage.v } else { &slope.q });
+        each(&mut sum.v, &mut stage.v, &from.v, &slope.v);
+        each(&mut sum.z, &mut stage.z, &from.z, &slope.z);
+        each(&mut sum.work, &mut stage.work, &from.work, &slope.work);
+    }
+
+    /// `to = from + h (to + slope)`, with what rounding cuts off in `rest`.
+    fn finish(&mut self, to: &mut State<T>, from: &State<T>, h: f64) {
+        let (Self { stage, slope, rest, .. }, h) = (self, T::from_f64(h));
+        let each = |to: &mut [T], from: &[T], slope: &[T], rest: &mut [T]| {
+            for (((to, from), slope), rest) in to.iter_mut().zip(from).zip(slope).zip(rest) {
+                *to = compensated::add(*from, h * (*to + *slope), rest);
+            }
+        };
+        each(&mut to.q, &from.q, if slope.q.is_empty() { &stage.v } else { &slope.q }, &mut rest.q);
+        each(&mut to.v, &from.v, &slope.v, &mut rest.v);
+        each(&mut to.z, &from.z, &slope.z, &mut rest.z);
+        each(&mut to.work, &from.work, &slope.work, &mut rest.work);
     }
 }
 
@@ -84,32 +113,27 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
     ) -> Result<(), MotionError> {
         let (start, half) = (from.state, 0.5 * h);
         let has_states = !from.rate.is_empty();
-        for (stage, (t, c, b)) in
-            [(start.t + half, half, 2.0), (start.t + half, half, 2.0), (t_next, h, 1.0)].into_iter().enumerate()
-        {
-            match stage {
-                0 => advance(&mut self.stage, start, c, from),
-                _ => self.advance_stage(start, c),
-            }
-            self.stage.t = t;
-            if !self.slope.q.is_empty() {
-                system.position_rates(&self.stage.q, &self.stage.v, &mut self.slope.q);
+        // the end holds the sum of the slopes until they are all there
+        self.begin(to, from, half);
+        for (t, next) in [(start.t + half, Some(half)), (start.t + half, Some(h)), (t_next, None)] {
+            let Self { stage, slope, lambda, .. } = self;
+            stage.t = t;
+            if !slope.q.is_empty() {
+                system.position_rates(&stage.q, &stage.v, &mut slope.q);
             }
             if has_states {
-                system.place_states(&self.stage.z);
+                system.place_states(&stage.z);
             }
-            system.accelerations(t, &self.stage.q, &self.stage.v, &mut self.slope.v, &mut self.lambda)?;
+            system.accelerations(t, &stage.q, &stage.v, &mut slope.v, lambda)?;
             if has_states {
-                system.state_rates(t, &self.stage.q, &self.stage.v, &mut self.slope.z);
+                system.state_rates(t, &stage.q, &stage.v, &mut slope.z);
             }
-            system.power(t, &self.stage.q, &self.stage.v, &self.lambda, &mut self.slope.work);
-            match stage {
-                // the end holds the sum of the slopes until they are all there
-                0 => advance(to, from, b, self.slope()),
-                _ => accumulate(to, b, self.slope()),
+            system.power(t, &stage.q, &stage.v, lambda, &mut slope.work);
+            match next {
+                Some(h) => self.go_on(to, start, h),
+                None => self.finish(to, start, h / 6.0),
             }
         }
-        finish(to, start, h / 6.0, &mut self.rest);
         to.t = t_next;
         Ok(())
     }
@@ -121,32 +145,4 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
     fn rest(&mut self) -> &mut State<T> {
         &mut self.rest
     }
-}
-
-/// `to = from + h to`, with what rounding cuts off in `rest`.
-fn finish<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, rest: &mut State<T>) {
-    let h = T::from_f64(h);
-    let add = |to: &mut [T], from: &[T], rest: &mut [T]| {
-        for ((to, from), rest) in to.iter_mut().zip(from).zip(rest) {
-            *to = compensated::add(*from, h * *to, rest);
-        }
-    };
-    add(&mut to.q, &from.q, &mut rest.q);
-    add(&mut to.v, &from.v, &mut rest.v);
-    if !from.z.is_empty() {
-        add(&mut to.z, &from.z, &mut rest.z);
-    }
-    add(&mut to.work, &from.work, &mut rest.work);
-}
-
-/// `sum += b slope`.
-fn accumulate<T: Scalar>(sum: &mut State<T>, b: f64, slope: Numbers<'_, T>) {
-    let b = T::from_f64(b);
-    let add = |sum: &mut [T], slope: &[T]| sum.iter_mut().zip(slope).for_each(|(s, x)| *s = *s + b * *x);
-    add(&mut sum.q, slope.q);
-    add(&mut sum.v, slope.v);
-    if !slope.z.is_empty() {
-        add(&mut sum.z, slope.z);
-    }
-    add(&mut sum.work, slope.work);
 }

@@ -72,7 +72,8 @@ impl DampedKkt {
         for _ in 0..MAX_PASSES {
             self.equations.write(mass, jacobian, &self.right_side, solution);
             self.change.copy_from_slice(&self.equations.left);
-            kkt.solve(&mut self.change);
+            let (r, s) = self.change.split_at_mut(mass.len());
+            kkt.solve(r, s);
             solution.iter_mut().zip(&self.change).for_each(|(x, change)| *x += change);
             if self.length(&self.change) <= f64::EPSILON * self.length(solution) {
                 break;

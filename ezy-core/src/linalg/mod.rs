@@ -98,16 +98,16 @@ pub trait KktFactorization: Send {
     /// Smallest pivot of a row after a successful [`Self::factor`], relative to what it started from.
     fn smallest_pivot(&self) -> f64;
 
-    /// Replaces `[r; s]` (`n_q + n_c`) by `[x; y]`, with the factors of the last successful [`Self::factor`].
-    fn solve(&mut self, right_side: &mut [f64]);
+    /// Replaces r (`n_q`) by x and s (`n_c`) by y, with the factors of the last successful [`Self::factor`].
+    fn solve(&mut self, r: &mut [f64], s: &mut [f64]);
 
-    /// [`Self::factor`], then [`Self::solve`]; where that fails `right_side` is left as it was.
+    /// [`Self::factor`], then [`Self::solve`]; where that fails r and s are left as they were.
     ///
     /// # Errors
     /// As [`Self::factor`].
-    fn factor_and_solve(&mut self, jacobian: &[f64], right_side: &mut [f64]) -> Result<(), VanishedPivot> {
+    fn factor_and_solve(&mut self, jacobian: &[f64], r: &mut [f64], s: &mut [f64]) -> Result<(), VanishedPivot> {
         self.factor(jacobian)?;
-        self.solve(right_side);
+        self.solve(r, s);
         Ok(())
     }
 

@@ -29,6 +29,8 @@ pub struct SparseKkt {
     analysis: Analysis,
     pivot_starts: Vec<f64>,
     smallest_pivot: f64,
+    /// `[r; s]` and `[x; y]`.
+    both: Vec<f64>,
 }
 
 /// What follows from pattern and order.
@@ -67,7 +69,8 @@ impl SparseKkt {
     /// As [`Self::new`].
     pub fn from_entries(mass: &[f64], n_rows: usize, entries: Vec<(usize, usize)>) -> Result<Self, SparseKktError> {
         let analysis = Analysis::new(mass.len(), n_rows, &entries, true)?;
-        Ok(Self { mass: mass.to_vec(), entries, analysis, pivot_starts: vec![0.0; n_rows], smallest_pivot: 1.0 })
+        let (pivot_starts, both) = (vec![0.0; n_rows], vec![0.0; mass.len() + n_rows]);
+        Ok(Self { mass: mass.to_vec(), entries, analysis, pivot_starts, smallest_pivot: 1.0, both })
     }
 
     /// Stored entries of L.
@@ -204,16 +207,19 @@ impl KktFactorization for SparseKkt {
         self.smallest_pivot
     }
 
-    fn solve(&mut self, right_side: &mut [f64]) {
-        debug_assert_eq!(right_side.len(), self.mass.len() + self.pivot_starts.len());
-        let n = right_side.len();
+    fn solve(&mut self, r: &mut [f64], s: &mut [f64]) {
+        let (n, both) = (self.both.len(), &mut self.both);
+        both[..r.len()].copy_from_slice(r);
+        both[r.len()..].copy_from_slice(s);
         let Analysis { symbolic, factors, scratch, .. } = &mut self.analysis;
         LdltRef::new(symbolic, factors).solve_in_place_with_conj(
             Conj::No,
-            MatMut::from_column_major_slice_mut(right_side, n, 1),
+            MatMut::from_column_major_slice_mut(both, n, 1),
             Par::Seq,
             MemStack::new(scratch),
         );
+        r.copy_from_slice(&both[..r.len()]);
+        s.copy_from_slice(&both[r.len()..]);
     }
 
     fn describe(&self) -> String {

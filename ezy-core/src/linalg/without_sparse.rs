@@ -49,7 +49,7 @@ impl KktFactorization for SparseKkt {
         match self.0 {}
     }
 
-    fn solve(&mut self, _: &mut [f64]) {
+    fn solve(&mut self, _: &mut [f64], _: &mut [f64]) {
         match self.0 {}
     }
 

@@ -73,7 +73,8 @@ fn cross_star_is_solved_as_by_the_dense_backend() {
     let mut kkt = SparseKkt::from_entries(&mass, rows, entries.clone()).unwrap();
     kkt.factor(&jacobian).unwrap();
     let mut sparse = right_side.clone();
-    kkt.solve(&mut sparse);
+    let (r, s) = sparse.split_at_mut(3 * n);
+    kkt.solve(r, s);
     let size = 3 * n + rows;
     let mut dense = nalgebra::DMatrix::zeros(size, size);
     (0..3 * n).for_each(|i| dense[(i, i)] = mass[i]);

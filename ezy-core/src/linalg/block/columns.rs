@@ -60,15 +60,20 @@ impl Rows {
         rows
     }
 
-    /// The same in reverse.
+    /// Writes y into those of such a vector, or adds it to them.
     #[inline(always)]
-    pub(super) fn write<F: Form<B, N>, const B: usize, const N: usize>(self, y: &Column<B>, out: &mut [f64]) {
+    pub(super) fn put<F: Form<B, N>, const B: usize, const N: usize, const REPLACES: bool>(
+        self,
+        y: &Column<B>,
+        out: &mut [f64],
+    ) {
         let first = self.first as usize;
+        let put = |(out, y): (&mut f64, &f64)| *out = if REPLACES { *y } else { *out + y };
         if F::WHOLE {
-            out.as_chunks_mut::<B>().0[first / B] = *y;
-            return;
+            out.as_chunks_mut::<B>().0[first / B].iter_mut().zip(y).for_each(put);
+        } else {
+            out[first..][..self.n as usize].iter_mut().zip(y).for_each(put);
         }
-        out[first..][..self.n as usize].iter_mut().zip(y).for_each(|(out, y)| *out = *y);
     }
 
     /// The first row whose pivot is not more than `least`; where each is, the last one, whose pivot left the range of numbers.

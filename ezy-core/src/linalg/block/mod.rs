@@ -13,7 +13,7 @@ use super::tolerances::blocks::{NEGLIGIBLE, REFINED};
 use super::{KktFactorization, VanishedPivot};
 use crate::model::coordinate::{N_OF_BODY, body_and_component, n_bodies};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
-use columns::{Below, Columns, Node, Rows};
+use columns::{Below, Columns, Node};
 use form::{Aligned, Form, Full, Layout, turned};
 use fraction::Fraction;
 use paths::{Given, Paths};
@@ -31,23 +31,23 @@ type Block<const B: usize, T = f64> = [Column<B, T>; B];
 /// Numbers of a body.
 type OfBody<T = f64> = [T; N_OF_BODY];
 
-/// M^½ x by body, which substitution begins with; where it `SCALES`, of r, by the roots.
+/// r by body, which substitution scales by the roots.
 #[derive(Clone, Copy)]
-struct Bodies<'a, const SCALES: bool> {
+struct Bodies<'a> {
     of: &'a [OfBody],
     roots: &'a [OfBody],
 }
 
-impl<const SCALES: bool> Bodies<'_, SCALES> {
+impl Bodies<'_> {
     #[inline(always)]
     fn at(&self, body: u32) -> OfBody {
         let (of, roots) = (&self.of[body as usize], &self.roots[body as usize]);
-        if SCALES { from_fn(|i| of[i] * roots[i]) } else { *of }
+        from_fn(|i| of[i] * roots[i])
     }
 }
 
 /// A right side `[r; s]`.
-type RightSide<'a> = (Bodies<'a, true>, &'a [f64]);
+type RightSide<'a> = (Bodies<'a>, &'a [f64]);
 
 /// LDLᵀ factors of `A = G M⁻¹ Gᵀ`, which is what remains of K without its masses, for joints of up to `B` rows. Joints with fewer rows have ones on
 /// the rest of their diagonal.
@@ -71,8 +71,6 @@ struct BlockKkt<F, const B: usize, const N: usize> {
     roots: Vec<OfBody>,
     /// Bodies that do not lie within a path.
     others: Vec<Range<usize>>,
-    /// y before it is refined, `n_c`; made when it is first needed.
-    first: Vec<f64>,
     smallest_pivot: f64,
     /// Whether solutions are refined once.
     refines: bool,
@@ -104,7 +102,6 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         let Columns { nodes, layouts, below, targets } = Columns::new::<F>(plan, pattern, layouts);
         Self {
             form: PhantomData,
-            first: Vec::new(),
             others: others(&paths, n_bodies(mass.len())),
             paths,
             nodes,
@@ -127,10 +124,10 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         jacobian: &[f64],
         damping: Option<&[f64]>,
         least: f64,
-        right_side: Option<&[f64]>,
+        right_side: Option<(&[f64], &[f64])>,
     ) -> Result<(), VanishedPivot> {
         let Self { paths, nodes, layouts, roots, below, lower, targets, smallest_pivot, .. } = self;
-        let right_side = right_side.map(|both| parts(both, roots));
+        let right_side = right_side.map(|(r, s)| (Bodies { of: r.as_chunks().0, roots }, s));
         lower.iter_mut().zip(&*below).filter(|(_, of)| of.is_filled).for_each(|(block, _)| *block = [[0.0; B]; B]);
         let mut list = List { lower, below, targets };
         begin::<F, B, N>(nodes, layouts, jacobian, roots);
@@ -169,7 +166,7 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
                 subtract_product(&mut late.pending, &scaled, &block, reciprocal);
                 joint.lower = times(&scaled, reciprocal);
                 if let Some((x, s)) = right_side {
-                    let sum = forward::<F, B, N, true>(joint, x, s);
+                    let sum = forward::<F, B, N>(joint, x, s);
                     subtract(&mut late.y, &apply(&joint.lower, &sum));
                 }
             } else {
@@ -181,34 +178,24 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
         Ok(())
     }
 
-    /// `L y = Γ x − s`.
-    fn forward<const SCALES: bool>(&mut self, x: &[OfBody], s: &[f64]) {
-        let Self { paths, nodes, lower, below, roots, .. } = self;
-        let x = Bodies::<'_, SCALES> { of: x, roots };
-        nodes.iter_mut().for_each(|joint| joint.y = [0.0; B]);
-        paths.iter_mut().for_each(|paths| paths.forward::<F, SCALES>(nodes, x, s));
-        let mut column = Pairs(lower, below);
-        let mut rest = &mut nodes[..];
-        while let Some((joint, later)) = rest.split_first_mut() {
-            let sum = forward::<F, B, N, SCALES>(joint, x, s);
-            match joint.next {
-                0 => column
-                    .take_first(joint.n_lower)
-                    .for_each(|(block, of)| subtract(&mut later[of.row as usize - 1].y, &apply(block, &sum))),
-                next => subtract(&mut later[next as usize - 1].y, &apply(&joint.lower, &sum)),
-            }
-            rest = later;
-        }
+    /// `L y = Γ x − s` for a right side `[r; s]`.
+    fn forward(&mut self, r: &[f64], s: &[f64]) {
+        let x = Bodies { of: r.as_chunks().0, roots: &self.roots };
+        self.nodes.iter_mut().for_each(|joint| joint.y = [0.0; B]);
+        self.paths.iter_mut().for_each(|paths| paths.forward::<F>(&mut self.nodes, x, s));
+        forward_nodes(&mut self.nodes, Pairs(&self.lower, &self.below), |joint| forward::<F, B, N>(joint, x, s));
     }
 
-    /// `D Lᵀ y = y`, then `x −= Γᵀ y`; hands out the rows of each joint, and y there. Of bodies within paths x is scaled by the roots before where it
-    /// `BEGINS`, and behind where it `ENDS`.
+    /// `L y = y`.
+    fn forward_again(&mut self) {
+        self.paths.iter_mut().for_each(|paths| paths.forward_again(&mut self.nodes));
+        forward_nodes(&mut self.nodes, Pairs(&self.lower, &self.below), |joint| joint.y);
+    }
+
+    /// `D Lᵀ y = y`, then `x −= Γᵀ y`; y is written into s, or added to it by the second pass of a refined solution. Of bodies within paths x is scaled by the
+    /// roots before where it `BEGINS`, and behind where it `ENDS`. Where it does not, what is left of the rows comes to stand in y.
     #[inline]
-    fn backward<const BEGINS: bool, const ENDS: bool>(
-        &mut self,
-        x: &mut [OfBody],
-        mut found: impl FnMut(Rows, &Column<B>),
-    ) {
+    fn backward<const BEGINS: bool, const ENDS: bool>(&mut self, x: &mut [OfBody], s: &mut [f64]) {
         let Self { paths, nodes, lower, below, roots, .. } = self;
         let mut column = Pairs(lower, below);
         for k in (0..nodes.len()).rev() {
@@ -225,29 +212,35 @@ impl<F: Form<B, N>, const B: usize, const N: usize> BlockKkt<F, B, N> {
             for (slot, &body) in joint.slots.iter().zip(&joint.bodies) {
                 F::subtract_transposed(&mut x[body as usize], slot, &solved);
             }
-            found(joint.rows, &solved);
+            if ENDS {
+                joint.rows.put::<F, B, N, BEGINS>(&solved, s);
+            }
         }
-        paths.iter().for_each(|paths| paths.backward::<F, BEGINS, ENDS>(nodes, x, roots, &mut found));
+        paths.iter_mut().for_each(|paths| paths.backward::<F, BEGINS, ENDS>(nodes, x, roots, s));
+        if !ENDS {
+            paths.iter_mut().for_each(|paths| paths.leave::<F>(x, s));
+            for joint in nodes {
+                let mut left = joint.rows.of::<F, B, N>(s).map(|s| -s);
+                for (slot, &body) in joint.slots.iter().zip(&joint.bodies) {
+                    F::add(&mut left, slot, &x[body as usize]);
+                }
+                joint.rows.put::<F, B, N, true>(&joint.y, s);
+                joint.y = left;
+            }
+        }
     }
 
     /// Takes from x what leaves s of its rows, by `M^−½ Γᵀ y` with `A y = G x − s`: with x = M⁻¹ r it gives the solution; once more, with y = 0, it
     /// gives back the digits that small pivots cost. [`Self::forward`] was called before.
-    fn finish(&mut self, right_side: &mut [f64]) {
-        let (r, s) = right_side.split_at_mut(self.roots.as_flattened().len());
+    fn finish(&mut self, r: &mut [f64], s: &mut [f64]) {
         let x = r.as_chunks_mut().0;
         self.scale(x);
         if self.refines {
-            let mut first = std::mem::take(&mut self.first);
-            first.resize(s.len(), 0.0);
-            self.backward::<true, false>(x, |rows, y| rows.write::<F, B, N>(y, &mut first));
-            self.forward::<false>(x, s);
-            self.backward::<false, true>(x, |rows, y| {
-                let before = rows.of::<F, B, N>(&first);
-                rows.write::<F, B, N>(&from_fn(|r| before[r] + y[r]), s);
-            });
-            self.first = first;
+            self.backward::<true, false>(x, s);
+            self.forward_again();
+            self.backward::<false, true>(x, s);
         } else {
-            self.backward::<true, true>(x, |rows, y| rows.write::<F, B, N>(y, s));
+            self.backward::<true, true>(x, s);
         }
         self.scale(x);
     }
@@ -267,12 +260,6 @@ fn others<const B: usize, const N: usize>(paths: &[Paths<B, N>], n: usize) -> Ve
     paths.iter().flat_map(Paths::within).for_each(|body| within[body] = true);
     let starts = (0..n).filter(|&body| !within[body] && (body == 0 || within[body - 1]));
     starts.map(|start| start..(start..n).find(|&body| within[body]).unwrap_or(n)).collect()
-}
-
-/// What substitution takes of `[r; s]`.
-fn parts<'a>(right_side: &'a [f64], roots: &'a [OfBody]) -> RightSide<'a> {
-    let (r, s) = right_side.split_at(roots.as_flattened().len());
-    (Bodies { of: r.as_chunks().0, roots }, s)
 }
 
 /// Writes Γ.
@@ -296,9 +283,9 @@ fn begin<F: Form<B, N>, const B: usize, const N: usize>(
 
 /// What a joint and those before it have in `L y = Γ x − s`.
 #[inline]
-fn forward<F: Form<B, N>, const B: usize, const N: usize, const SCALES: bool>(
+fn forward<F: Form<B, N>, const B: usize, const N: usize>(
     joint: &mut Node<B, N>,
-    x: Bodies<'_, SCALES>,
+    x: Bodies<'_>,
     s: &[f64],
 ) -> Column<B> {
     let mut sum = joint.rows.of::<F, B, N>(s).map(|s| -s);
@@ -309,6 +296,26 @@ fn forward<F: Form<B, N>, const B: usize, const N: usize, const SCALES: bool>(
     sum.iter_mut().zip(joint.y).for_each(|(sum, y)| *sum += y);
     joint.y = sum;
     sum
+}
+
+/// Forward substitution along these joints, of which `y_of` says what each and those before it have.
+#[inline]
+fn forward_nodes<const B: usize, const N: usize>(
+    nodes: &mut [Node<B, N>],
+    mut column: Pairs<'_, Block<B>, Below>,
+    y_of: impl Fn(&mut Node<B, N>) -> Column<B>,
+) {
+    let mut rest = nodes;
+    while let Some((joint, later)) = rest.split_first_mut() {
+        let y = y_of(joint);
+        match joint.next {
+            0 => column
+                .take_first(joint.n_lower)
+                .for_each(|(block, of)| subtract(&mut later[of.row as usize - 1].y, &apply(block, &y))),
+            next => subtract(&mut later[next as usize - 1].y, &apply(&joint.lower, &y)),
+        }
+        rest = later;
+    }
 }
 
 /// The columns that stand in the list, from the one on that is eliminated next.
@@ -353,7 +360,7 @@ impl<const B: usize> List<'_, B> {
             column[i] = times(&scaled, reciprocal);
         }
         if let Some((x, s)) = right_side {
-            let sum = forward::<F, B, N, true>(joint, x, s);
+            let sum = forward::<F, B, N>(joint, x, s);
             let column = column.iter().zip(of_column);
             column.for_each(|(block, of)| subtract(&mut later[of.row as usize - 1].y, &apply(block, &sum)));
         }
@@ -398,10 +405,10 @@ impl<F: Form<B, N>, const B: usize, const N: usize> KktFactorization for BlockKk
         self.eliminate(jacobian, Some(damping), 0.0, None)
     }
 
-    fn factor_and_solve(&mut self, jacobian: &[f64], right_side: &mut [f64]) -> Result<(), VanishedPivot> {
-        self.eliminate(jacobian, None, PIVOT_TOLERANCE, Some(right_side))?;
+    fn factor_and_solve(&mut self, jacobian: &[f64], r: &mut [f64], s: &mut [f64]) -> Result<(), VanishedPivot> {
+        self.eliminate(jacobian, None, PIVOT_TOLERANCE, Some((r, s)))?;
         self.refines = self.smallest_pivot < REFINED;
-        self.finish(right_side);
+        self.finish(r, s);
         Ok(())
     }
 
@@ -409,10 +416,9 @@ impl<F: Form<B, N>, const B: usize, const N: usize> KktFactorization for BlockKk
         self.smallest_pivot
     }
 
-    fn solve(&mut self, right_side: &mut [f64]) {
-        let (r, s) = right_side.split_at(self.roots.as_flattened().len());
-        self.forward::<true>(r.as_chunks().0, s);
-        self.finish(right_side);
+    fn solve(&mut self, r: &mut [f64], s: &mut [f64]) {
+        self.forward(r, s);
+        self.finish(r, s);
     }
 
     fn describe(&self) -> String {

@@ -169,23 +169,26 @@ impl<F, const B: usize, const N: usize> Along<F, B, N> for () {
     fn end(&mut self, _i: usize, _twin: &Twin<B, N>) {}
 }
 
-/// `L y = Γ x − s` along the paths.
-struct Substitution<'a, const B: usize, const SCALES: bool> {
-    x: Bodies<'a, SCALES>,
-    s: &'a [f64],
+/// What joints along the paths lose by those before.
+struct Pull<const B: usize> {
     negligible: Two,
-    /// x of the bodies before the next joints, and what these joints lose.
-    before: OfBody<Two>,
     pulled: Column<B, Two>,
 }
 
-impl<'a, const B: usize, const SCALES: bool> Substitution<'a, B, SCALES> {
-    fn new(x: Bodies<'a, SCALES>, s: &'a [f64], first: &[Place; 2], negligible: Two) -> Self {
-        let before = scaled::<SCALES>(gathered(x.of, first, 0), &gathered(x.roots, first, 0));
-        Self { x, s, negligible, before, pulled: [Two::from_f64(0.0); B] }
+impl<const B: usize> Pull<B> {
+    fn new(negligible: Two) -> Self {
+        Self { negligible, pulled: [Two::from_f64(0.0); B] }
     }
 
-    /// What the joints behind the paths lose.
+    #[inline(always)]
+    fn by<const N: usize>(&mut self, i: usize, twin: &Twin<B, N>) {
+        self.pulled = apply(&twin.lower, &twin.y);
+        if is_tested(i) {
+            self.pulled = self.pulled.map(|y| y.or_zero_below(self.negligible));
+        }
+    }
+
+    /// To the joints behind the paths.
     fn hand_on<const N: usize>(self, nodes: &mut [Node<B, N>], ends: &[(usize, usize); 2]) {
         for (lane, (node, _)) in ends.iter().enumerate() {
             subtract(&mut nodes[*node].y, &self.pulled.map(|y| y.lanes()[lane]));
@@ -193,31 +196,44 @@ impl<'a, const B: usize, const SCALES: bool> Substitution<'a, B, SCALES> {
     }
 }
 
-impl<F: Form<B, N>, const B: usize, const N: usize, const SCALES: bool> Along<F, B, N> for Substitution<'_, B, SCALES> {
+/// `L y = Γ x − s` along the paths.
+struct Substitution<'a, const B: usize> {
+    x: Bodies<'a>,
+    s: &'a [f64],
+    /// x of the bodies before the next joints.
+    before: OfBody<Two>,
+    pull: Pull<B>,
+}
+
+impl<'a, const B: usize> Substitution<'a, B> {
+    fn new(x: Bodies<'a>, s: &'a [f64], first: &[Place; 2], negligible: Two) -> Self {
+        let before = scaled(gathered(x.of, first, 0), &gathered(x.roots, first, 0));
+        Self { x, s, before, pull: Pull::new(negligible) }
+    }
+}
+
+impl<F: Form<B, N>, const B: usize, const N: usize> Along<F, B, N> for Substitution<'_, B> {
     #[inline(always)]
     fn begin(&mut self, twin: &mut Twin<B, N>, roots: &OfBody<Two>) {
-        let behind = scaled::<SCALES>(gathered(self.x.of, &twin.places, 1), roots);
+        let behind = scaled(gathered(self.x.of, &twin.places, 1), roots);
         let mut sum = rows::<F, B, N>(&twin.places, self.s).map(|s| -s);
         F::add(&mut sum, &twin.slots[0], &self.before);
         F::add(&mut sum, &twin.slots[1], &behind);
         // what waits for earlier joints comes last
-        subtract(&mut sum, &self.pulled);
+        subtract(&mut sum, &self.pull.pulled);
         twin.y = sum;
         self.before = behind;
     }
 
     #[inline(always)]
     fn end(&mut self, i: usize, twin: &Twin<B, N>) {
-        self.pulled = apply(&twin.lower, &twin.y);
-        if is_tested(i) {
-            self.pulled = self.pulled.map(|y| y.or_zero_below(self.negligible));
-        }
+        self.pull.by(i, twin);
     }
 }
 
 #[inline(always)]
-fn scaled<const SCALES: bool>(x: OfBody<Two>, roots: &OfBody<Two>) -> OfBody<Two> {
-    if SCALES { from_fn(|i| x[i] * roots[i]) } else { x }
+fn scaled(x: OfBody<Two>, roots: &OfBody<Two>) -> OfBody<Two> {
+    from_fn(|i| x[i] * roots[i])
 }
 
 impl<const B: usize, const N: usize> Paths<B, N> {
@@ -267,7 +283,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             Some(((x, s), first)) => {
                 let mut substitution = Substitution::new(x, s, &first.places, self.negligible);
                 let swept = self.sweep::<F>(nodes, given, judge, &mut substitution);
-                substitution.hand_on(nodes, &self.ends);
+                substitution.pull.hand_on(nodes, &self.ends);
                 swept
             }
             None => self.sweep::<F>(nodes, given, judge, &mut ()),
@@ -362,12 +378,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
     }
 
     /// `L y = Γ x − s`, as far as the joints behind the paths.
-    pub(super) fn forward<F: Form<B, N>, const SCALES: bool>(
-        &mut self,
-        nodes: &mut [Node<B, N>],
-        x: Bodies<'_, SCALES>,
-        s: &[f64],
-    ) {
+    pub(super) fn forward<F: Form<B, N>>(&mut self, nodes: &mut [Node<B, N>], x: Bodies<'_>, s: &[f64]) {
         let Some(first) = self.twins.first() else { return };
         let mut substitution = Substitution::new(x, s, &first.places, self.negligible);
         for (i, twin) in self.twins.iter_mut().enumerate() {
@@ -375,17 +386,28 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             Along::<F, B, N>::begin(&mut substitution, twin, &roots);
             Along::<F, B, N>::end(&mut substitution, i, twin);
         }
-        substitution.hand_on(nodes, &self.ends);
+        substitution.pull.hand_on(nodes, &self.ends);
     }
 
-    /// `D Lᵀ y = y` from the joints behind the paths on, then `x −= Γᵀ y`; hands out the rows of each joint, and y there.
+    /// `L y = y`, in the same way.
+    pub(super) fn forward_again(&mut self, nodes: &mut [Node<B, N>]) {
+        let mut pull = Pull::new(self.negligible);
+        for (i, twin) in self.twins.iter_mut().enumerate() {
+            subtract(&mut twin.y, &pull.pulled);
+            pull.by(i, twin);
+        }
+        pull.hand_on(nodes, &self.ends);
+    }
+
+    /// `D Lᵀ y = y` from the joints behind the paths on, then `x −= Γᵀ y`; y is written into s, or added to it by the second pass of a refined solution. The
+    /// first one leaves what is left of the rows in y: where it `BEGINS` and does not end, as far as [`Self::leave`].
     #[inline(always)]
     pub(super) fn backward<F: Form<B, N>, const BEGINS: bool, const ENDS: bool>(
-        &self,
+        &mut self,
         nodes: &[Node<B, N>],
         x: &mut [OfBody],
         roots: &[OfBody],
-        mut found: impl FnMut(Rows, &Column<B>),
+        s: &mut [f64],
     ) {
         let Some(last) = self.twins.last() else { return };
         let [one, other] = self.ends.map(|(node, _)| &nodes[node].y);
@@ -393,25 +415,42 @@ impl<const B: usize, const N: usize> Paths<B, N> {
         let mut places = last.places;
         // the bodies behind the paths are scaled with those of the other joints
         let (mut behind, mut scale) = (gathered(x, &places, 1), [Two::from_f64(1.0); N_OF_BODY]);
-        for (i, twin) in self.twins.iter().enumerate().rev() {
+        // of the rows of the joints behind, without the bodies before them, which lose some more
+        let mut left = [Two::from_f64(0.0); B];
+        for i in (0..self.twins.len()).rev() {
+            let [twin, late @ ..] = &mut self.twins[i..] else { break };
             places = twin.places;
             let mut solved = apply(&twin.inverse, &twin.y);
             subtract(&mut solved, &twin.lower.map(|of_row| dot(&of_row, &y)));
             y = solved;
             let (mut before, root) = (gathered(x, &places, 0), gathered(roots, &places, 0));
             if BEGINS {
-                before = from_fn(|i| before[i] * root[i]);
+                before = scaled(before, &root);
             }
             // joints before do not wait for this test
             let kept = y.map(|y| y.or_zero_below(self.negligible));
             F::subtract_transposed(&mut behind, &twin.slots[1], &kept);
             F::subtract_transposed(&mut before, &twin.slots[0], &kept);
             if ENDS {
-                behind = from_fn(|i| behind[i] * scale[i]);
+                behind = scaled(behind, &scale);
+            } else {
+                match late {
+                    // other paths may take from the bodies behind these
+                    [] => twin.y = kept,
+                    [_] => {}
+                    [late, ..] => {
+                        F::add(&mut left, &late.slots[0], &behind);
+                        late.y = left;
+                    }
+                }
+                left = rows::<F, B, N>(&places, s).map(|s| -s);
+                F::add(&mut left, &twin.slots[1], &behind);
             }
             for (lane, place) in places.iter().enumerate() {
                 x[place.bodies[1] as usize] = behind.map(|x| x.lanes()[lane]);
-                found(place.rows, &kept.map(|y| y.lanes()[lane]));
+                if ENDS || !late.is_empty() {
+                    place.rows.put::<F, B, N, BEGINS>(&kept.map(|y| y.lanes()[lane]), s);
+                }
             }
             if is_tested(i) {
                 y = y.map(|y| y.or_zero_below(self.negligible));
@@ -419,7 +458,10 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             (behind, scale) = (before, root);
         }
         if ENDS {
-            behind = from_fn(|i| behind[i] * scale[i]);
+            behind = scaled(behind, &scale);
+        } else if let [first, _, ..] = &mut self.twins[..] {
+            F::add(&mut left, &first.slots[0], &behind);
+            first.y = left;
         }
         for (lane, Place { bodies: [before, of_first], .. }) in places.iter().enumerate() {
             // one that holds a body alone has none before it
@@ -427,5 +469,17 @@ impl<const B: usize, const N: usize> Paths<B, N> {
                 x[*before as usize] = behind.map(|x| x.lanes()[lane]);
             }
         }
+    }
+    /// The rest of what [`Self::backward`] leaves of the rows in y, once all bodies have lost what they lose.
+    pub(super) fn leave<F: Form<B, N>>(&mut self, x: &[OfBody], s: &mut [f64]) {
+        let Some(Twin { slots, y, places, .. }) = self.twins.last_mut() else { return };
+        let mut left = rows::<F, B, N>(places, s).map(|s| -s);
+        for (side, slot) in slots.iter().enumerate() {
+            F::add(&mut left, slot, &gathered(x, places, side));
+        }
+        for (lane, place) in places.iter().enumerate() {
+            place.rows.put::<F, B, N, true>(&y.map(|y| y.lanes()[lane]), s);
+        }
+        *y = left;
     }
 }

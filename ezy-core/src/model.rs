@@ -246,7 +246,13 @@ impl SparsityPattern {
 
     /// The stored entries in order, as (index of the value, row, column).
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
-        (0..self.n_rows()).flat_map(move |i| self.row(i).zip(self.columns_of(i)).map(move |(k, column)| (k, i, column)))
+        let (starts, mut row) = (&self.starts[..], 0);
+        self.columns.iter().enumerate().map(move |(k, column)| {
+            while starts[row + 1] as usize <= k {
+                row += 1;
+            }
+            (k, row, *column as usize)
+        })
     }
 }
 

@@ -62,11 +62,14 @@ impl<P: SceneRef> InQuasiVelocities<P> {
         let (n_u, n) = (info.formulas.len(), info.formulas.len() + info.integrated.len());
         let zero = || End { numbers: zeros(n), rest: zeros(n), q: zeros(q.len()), v: zeros(v.len()) };
         let mut now = End { q: q.clone(), ..zero() };
+        let (mut of_lane, mut u) = ([fixed, q, v].map(|x| vec![0.0; x.len()]), vec![0.0; n_u]);
         for lane in 0..N_LANES {
-            let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect::<Vec<f64>>();
-            let mut u = vec![0.0; n_u];
-            equations.of_one().quasi_velocities(&of_lane(fixed), &of_lane(q), &of_lane(v), &mut u);
-            now.numbers.iter_mut().zip(u).for_each(|(number, u)| number.0[lane] = u);
+            for (of_lane, of_all) in of_lane.iter_mut().zip([fixed, q, v]) {
+                of_lane.iter_mut().zip(of_all).for_each(|(x, all)| *x = all.0[lane]);
+            }
+            let [fixed, q, v] = &of_lane;
+            equations.of_one().quasi_velocities(fixed, q, v, &mut u);
+            now.numbers.iter_mut().zip(&u).for_each(|(number, u)| number.0[lane] = *u);
         }
         for (number, &i) in now.numbers[n_u..].iter_mut().zip(info.integrated) {
             *number = q[i];

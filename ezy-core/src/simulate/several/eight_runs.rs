@@ -1,6 +1,6 @@
 //! Eight runs of one scene in lanes.
 
-use super::trajectory::{Trajectory, check_end};
+use super::trajectory::{Trajectory, check_end, checked};
 use crate::dynamics::{InLanes, MotionError, State, System, SystemOf};
 use crate::integrate::{InQuasiVelocities, Method, MethodKind};
 use crate::model::{Eight, N_LANES, SceneRef};
@@ -40,12 +40,16 @@ impl<P: SceneRef> EightRuns<P> {
         let z = packed(from_fn(|lane| &state_of(lane).z[..]));
         let t = starts[0].t;
         let start = State { t, q, v, z, work: Vec::new() };
-        let system = SystemOf::new(InLanes(scene.clone()), systems[0], fixed);
-        let of_rows = Trajectory::new(system, info, start, method)?;
-        let tolerance = method.tolerance().filter(|_| method.kind() == MethodKind::Dop853 && of_rows.now.z.is_empty());
-        let quasi = tolerance
-            .and_then(|tolerance| InQuasiVelocities::new(scene, &of_rows.system.fixed, &of_rows.now, tolerance));
-        let form = quasi.map_or(Form::OfRows(of_rows), Form::InQuasiVelocities);
+        let method = checked(&info, method)?;
+        let tolerance = method.tolerance().filter(|_| method.kind() == MethodKind::Dop853 && start.z.is_empty());
+        let quasi = tolerance.and_then(|tolerance| InQuasiVelocities::new(scene.clone(), &fixed, &start, tolerance));
+        let form = match quasi {
+            Some(runs) => Form::InQuasiVelocities(runs),
+            None => {
+                let system = SystemOf::new(InLanes(scene), systems[0], fixed);
+                Form::OfRows(Trajectory::new(system, info, start, method)?)
+            }
+        };
         Ok(Self { form })
     }
 

@@ -29,10 +29,8 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
         start: State<T>,
         method: Method,
     ) -> Result<Self, SetupError> {
-        SetupError::refuse_modes(&info)?;
-        SetupError::refuse_angles(&info, method.tolerance())?;
         let sizes = Sizes::new(&info, 0);
-        let method = crate::simulate::checked::checked(method)?;
+        let method = checked(&info, method)?;
         let integrator = method.kind().in_any_number(sizes, method.tolerance().unwrap_or(Tolerance::ANY));
         let integrator = integrator.ok_or(SetupError::SingleNumbers { method: method.name() })?;
         let Sizes { n_q, n_v, n_c, n_z, .. } = sizes;
@@ -101,6 +99,16 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
         std::mem::swap(now, next);
         Ok(())
     }
+}
+
+/// The method, where it can be used on this scene.
+///
+/// # Errors
+/// [`SetupError`].
+pub(in crate::simulate) fn checked(info: &SceneInfo, method: Method) -> Result<Method, SetupError> {
+    SetupError::refuse_modes(info)?;
+    SetupError::refuse_angles(info, method.tolerance())?;
+    crate::simulate::checked::checked(method)
 }
 
 /// That a run from `t` has an end.

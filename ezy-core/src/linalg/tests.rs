@@ -38,13 +38,13 @@ fn pattern(rows: &[&[usize]]) -> SparsityPattern {
     SparsityPattern::of(starts, rows.concat().iter().map(|column| *column as u32).collect())
 }
 
-/// `[r; s] − [M Gᵀ; G −Δ] [x; y]`, the largest entry.
 /// Replaces `[r; s]` by `[x; y]`.
 fn solve(kkt: &mut dyn KktFactorization, n_q: usize, both: &mut [f64]) {
     let (r, s) = both.split_at_mut(n_q);
     kkt.solve(r, s);
 }
 
+/// `[r; s] − [M Gᵀ; G −Δ] [x; y]`, the largest entry.
 fn left(pattern: &SparsityPattern, mass: &[f64], jacobian: &[f64], damping: &[f64], right: &[f64], x: &[f64]) -> f64 {
     let n_q = mass.len();
     let mut left = right.to_vec();

@@ -115,6 +115,21 @@ fn cross_eight_runs_of_dop853_share_steps_that_keep_to_the_tolerance() {
     assert!(error <= TOLERANCE, "{error:.1e}");
 }
 
+/// Relative tolerances below 1e-15 are rounding: an ensemble takes 1e-15 in their place, as a single run does.
+#[test]
+fn invariant_relative_tolerances_below_rounding_are_lifted() {
+    let scenes = rollers();
+    let starts = starts(&scenes);
+    let end = |relative: f64| {
+        let method = Method::dop853(1e-9).with_tolerance(Tolerance::new(relative, 1e-9));
+        let mut ensemble = Ensemble::new(&scenes, starts.each_ref(), method).unwrap();
+        ensemble.advance(5.0).unwrap();
+        ensemble.state(0)
+    };
+    assert_eq!(end(1e-18), end(1e-15));
+    assert_ne!(end(1e-9), end(1e-15));
+}
+
 #[test]
 fn invariant_runs_in_two_parts_end_where_they_end_in_one() {
     let scenes = rollers();

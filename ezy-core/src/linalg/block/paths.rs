@@ -470,6 +470,7 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             }
         }
     }
+
     /// The rest of what [`Self::backward`] leaves of the rows in y, once all bodies have lost what they lose.
     pub(super) fn leave<F: Form<B, N>>(&mut self, x: &[OfBody], s: &mut [f64]) {
         let Some(Twin { slots, y, places, .. }) = self.twins.last_mut() else { return };

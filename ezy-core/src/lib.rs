@@ -87,6 +87,8 @@ mod memory;
 pub mod model;
 #[cfg(feature = "optimise")]
 pub mod optimise;
+#[allow(unsafe_code, reason = "advice to the operating system, which changes nothing that is stored")]
+mod pages;
 pub mod record;
 pub mod scalar;
 pub mod simulate;

@@ -1,5 +1,6 @@
 //! How large a mechanism is, so that a watch and a crane are held to the same digits.
 
+use super::in_four;
 use super::tolerances::geometry::{LARGEST_VALUE, ROUNDING_OF_ROWS, TOLERANCE};
 use crate::model::{BodyKind, Component, SceneInfo, Start, body_kind};
 
@@ -65,19 +66,17 @@ impl Geometry {
 
     /// Largest of coordinates, in units of the length; angles and parts of quaternions as they are.
     pub(super) fn extent(&self, q: &[f64]) -> f64 {
-        let sizes = q.iter().zip(&self.lengths);
-        largest(sizes.map(|(x, is_length)| if *is_length { x.abs() / self.length } else { x.abs() }))
+        in_four(q, &self.lengths, |x, is_length| x.abs() / if is_length { self.length } else { 1.0 }, larger)
     }
 
     /// Largest of velocities, or of displacements, in units of the length and of radians.
     pub(super) fn extent_of_velocities(&self, v: &[f64]) -> f64 {
-        let sizes = v.iter().zip(&self.turns);
-        largest(sizes.map(|(x, turns)| if *turns { x.abs() } else { x.abs() / self.length }))
+        in_four(v, &self.turns, |x, turns| x.abs() / if turns { 1.0 } else { self.length }, larger)
     }
 
     /// Largest of displacements, or of velocities, as lengths: angles times their levers.
     pub(super) fn length_of(&self, x: &[f64]) -> f64 {
-        largest(x.iter().zip(&self.units).map(|(x, unit)| (x * unit).abs()))
+        in_four(x, &self.units, |x, unit| (x * unit).abs(), larger)
     }
 
     /// Largest residual of a position constraint, in units of what counts as zero at `q`; NaN when there is one.
@@ -140,9 +139,14 @@ fn worst(x: impl Iterator<Item = f64>) -> f64 {
     x.fold(0.0, |worst: f64, x| if x > worst || x.is_nan() { x } else { worst })
 }
 
+/// The larger one, whatever is NaN of the second; one instruction, where `f64::max` asks of both.
+fn larger(largest: f64, x: f64) -> f64 {
+    if x > largest { x } else { largest }
+}
+
 /// Largest number, whatever is NaN.
 fn largest(x: impl Iterator<Item = f64>) -> f64 {
-    x.fold(0.0, f64::max)
+    x.fold(0.0, larger)
 }
 
 #[cfg(test)]

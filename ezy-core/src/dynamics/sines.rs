@@ -1,5 +1,6 @@
 //! Sines and cosines of the angles of one configuration, which all kernels of a scene with counts share.
 
+use crate::model::N_LANES;
 use crate::model::coordinate::{N_OF_BODY, n_bodies};
 use crate::scalar::{Scalar as _, in_widest};
 
@@ -19,13 +20,14 @@ impl Sines {
     #[inline]
     pub(super) fn at(&mut self, q: &[f64]) -> &[[f64; 2]] {
         if !self.table.is_empty() {
-            let mut differ = 0;
-            // all are compared and taken, without a branch at each
-            for (angle, [_, _, phi]) in self.angles.iter_mut().zip(q.as_chunks::<N_OF_BODY>().0) {
-                differ |= angle.to_bits() ^ phi.to_bits();
-                *angle = *phi;
-            }
-            if differ != 0 {
+            let bodies = q.as_chunks::<N_OF_BODY>().0;
+            // without a branch at each, and nothing is written where none differs
+            let differ = |(angles, bodies): (&[f64], &[[f64; N_OF_BODY]])| {
+                let bits = angles.iter().zip(bodies).map(|(angle, [.., phi])| angle.to_bits() ^ phi.to_bits());
+                bits.fold(0, |all, bits| all | bits) != 0
+            };
+            if self.angles.chunks(N_LANES).zip(bodies.chunks(N_LANES)).any(differ) {
+                self.angles.iter_mut().zip(bodies).for_each(|(angle, [.., phi])| *angle = *phi);
                 in_widest(
                     #[inline(always)]
                     || f64::sin_cos_of_each(&self.angles, &mut self.table),

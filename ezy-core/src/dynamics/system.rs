@@ -11,6 +11,7 @@ use super::tolerances::backend::{FURTHEST_APART, LARGEST_FOR_LIGHT, LIGHTEST, RA
 use crate::linalg::{Backend, HAS_SPARSE, KktFactorization, LARGEST_DENSE, SparseKkt, by_joints};
 use crate::model::body_kind;
 use crate::model::{Equations as _, Name, Scene as _, SceneInfo, SceneRef, Start};
+use crate::pages::in_large_pages;
 use std::sync::Arc;
 
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
@@ -77,7 +78,7 @@ impl<P: SceneRef> System<P> {
         }
         let mut start = Start::free_of(&info);
         scene.start(&fixed, &mut start);
-        let mut jacobian = vec![0.0; info.jacobian.n_nonzeros()];
+        let mut jacobian = in_large_pages(vec![0.0; info.jacobian.n_nonzeros()]);
         scene.velocity_jacobian(&fixed, start.t, &start.q, &mut jacobian);
         let geometry = Geometry::new(&info, &jacobian, &start);
         let is_out_of_range = is_out_of_range(&info, &mass, &jacobian);

@@ -1,5 +1,7 @@
 //! Mechanisms for the tests of this layer.
 
+use super::moves_finitely;
+
 crate::model! {
     /// A four-bar linkage with a coupler of 3 m.
     pub model Linkage {
@@ -26,5 +28,21 @@ crate::model! {
         }
         start level { for i in 0..n { rods[i] angle 0; } at rest; }
         scene swings { start level; until 1 s; }
+    }
+}
+
+/// One number that is not finite is seen at each place, among those that are taken four at a time and behind them; so is an energy that overflows.
+#[test]
+fn invariant_a_number_that_is_not_finite_is_seen_at_each_place() {
+    for n in 1..10 {
+        let (mass, zeros) = (vec![2.0; n], vec![0.0; n]);
+        assert!(moves_finitely(&mass, &vec![f64::MAX; n], &vec![1e150; n]));
+        for (i, bad) in (0..n).flat_map(|i| [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(|bad| (i, bad))) {
+            let mut x = vec![1.0; n];
+            x[i] = bad;
+            assert!(!moves_finitely(&mass, &x, &zeros) && !moves_finitely(&mass, &zeros, &x), "{n} {i} {bad}");
+            x[i] = 1e160;
+            assert!(moves_finitely(&mass, &x, &zeros) && !moves_finitely(&mass, &zeros, &x), "{n} {i}");
+        }
     }
 }

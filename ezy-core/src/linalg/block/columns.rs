@@ -6,6 +6,7 @@ use crate::linalg::VanishedPivot;
 use crate::linalg::joints::{BODIES, Joint, Plan};
 use crate::model::SparsityPattern;
 use crate::model::coordinate::body_and_component;
+use crate::pages::in_large_pages;
 use std::array::from_fn;
 
 /// A joint, and what is its own in the factors: together, so that a sweep reads one list.
@@ -126,8 +127,12 @@ impl<const B: usize, const N: usize> Columns<B, N> {
                 }
             }
         }
-        let mut columns =
-            Self { nodes: Vec::with_capacity(joints.len()), layouts, below: Vec::new(), targets: Vec::new() };
+        let mut columns = Self {
+            nodes: in_large_pages(Vec::with_capacity(joints.len())),
+            layouts,
+            below: Vec::new(),
+            targets: Vec::new(),
+        };
         let mut starts = Vec::with_capacity(joints.len());
         for (k, joint) in joints.iter().enumerate() {
             let side = |i: usize, row: usize| joint.bodies.get(i).and_then(|&body| joints[row].side_of(body));

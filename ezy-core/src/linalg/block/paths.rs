@@ -10,6 +10,7 @@ use crate::linalg::joints::{BODIES, Plan};
 use crate::linalg::tolerances::blocks::NEGLIGIBLE;
 use crate::model::SparsityPattern;
 use crate::model::coordinate::N_OF_BODY;
+use crate::pages::in_large_pages;
 use std::array::from_fn;
 
 /// A joint of either path, and what is their own in the factors. Their columns have one block below the diagonal, in the row of the next twin.
@@ -246,7 +247,9 @@ impl<const B: usize, const N: usize> Paths<B, N> {
             y: [zero; B],
             places,
         };
-        Self { twins: places.iter().map(twin).collect(), ends, negligible: Two::from_f64(negligible) }
+        let mut twins = in_large_pages(Vec::with_capacity(places.len()));
+        twins.extend(places.iter().map(twin));
+        Self { twins, ends, negligible: Two::from_f64(negligible) }
     }
 
     pub(super) fn n_joints(&self) -> usize {

@@ -6,7 +6,9 @@ use super::snapshot::Snapshot;
 use super::state_projection::StateProjection;
 use super::step_method::StepMethod;
 use crate::archive::Archive;
-use crate::dynamics::{Metric, MotionError, Projection, Solved, State, Strain, System, state_not_finite};
+use crate::dynamics::{
+    Metric, MotionError, Projection, Solved, State, Strain, System, moves_finitely, state_not_finite,
+};
 use crate::integrate::{Method, QUARTERED};
 use crate::model::SceneRef;
 use crate::simulate::SetupError;
@@ -362,6 +364,10 @@ impl<P: SceneRef> StepperState<P> {
 }
 
 fn check_finite<P: SceneRef>(system: &System<P>, t: f64, state: &State) -> Result<(), MotionError> {
+    let are_finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
+    if moves_finitely(system.mass_matrix(), &state.q, &state.v) && are_finite(&state.z) && are_finite(&state.work) {
+        return Ok(());
+    }
     let info = system.info();
     let quantity = match state_not_finite(info, state) {
         Some(quantity) => quantity,

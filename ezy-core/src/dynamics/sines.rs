@@ -26,7 +26,8 @@ impl Sines {
                 let bits = angles.iter().zip(bodies).map(|(angle, [.., phi])| angle.to_bits() ^ phi.to_bits());
                 bits.fold(0, |all, bits| all | bits) != 0
             };
-            if self.angles.chunks(N_LANES).zip(bodies.chunks(N_LANES)).any(differ) {
+            let at_once = N_LANES * N_LANES;
+            if self.angles.chunks(at_once).zip(bodies.chunks(at_once)).any(differ) {
                 self.angles.iter_mut().zip(bodies).for_each(|(angle, [.., phi])| *angle = *phi);
                 in_widest(
                     #[inline(always)]

@@ -61,6 +61,7 @@ pub use solved::Solved;
 pub use strain::{Strain, StrainSource};
 pub use system::System;
 pub use system::described_solver;
+pub(crate) use system::eliminated_constants;
 #[cfg(test)]
 pub(crate) use system::system_of;
 pub(crate) use with_derivatives::{Kernels, SystemWithDerivatives};
@@ -137,7 +138,7 @@ pub(crate) fn max_abs(x: &[f64]) -> f64 {
     }
 }
 
-/// What is left of zero and a number for each pair of `x` and `of`, four at a time: they do not wait for each other, and become vector instructions.
+/// Zero joined with the number of each pair of `x` and `of`, four at a time: they do not wait for each other, and become vector instructions.
 #[inline(always)]
 fn in_four<A: Copy, B: Copy>(x: &[A], of: &[B], number: impl Fn(A, B) -> f64, join: impl Fn(f64, f64) -> f64) -> f64 {
     let ((x, more_x), (of, more_of)) = (x.as_chunks::<4>(), of.as_chunks::<4>());

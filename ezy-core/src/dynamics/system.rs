@@ -56,38 +56,12 @@ impl<P: SceneRef> System<P> {
     /// # Errors
     /// As [`System::new`].
     pub(crate) fn with_parameters(scene: P, parameters: &[f64], backend: Backend) -> Result<Self, SystemError> {
-        let info = scene.info();
-        info.check_counts()?;
-        for (parameter, &value) in info.parameters.iter().zip(parameters) {
-            if !value.is_finite() {
-                return Err(SystemError::ParameterNotFinite { name: parameter.name, value });
-            }
-        }
-        let mut fixed = info.declared_values();
+        let Checked { info, fixed, mass, active, start, jacobian, is_out_of_range } =
+            Checked::new(&scene, parameters, backend)?;
         let integrated =
             info.integrated_inputs.iter().map(|&i| SceneInfo::integrated_places(i).map(|place| fixed[place])).collect();
-        // a row that is off at the start counts for what is measured here
-        let active = ActiveSet::new(&info, parameters);
-        scene.constants(&active.with_all_rows(&info), &mut fixed);
         let [n_q, n_v, n_c] = [info.n_coordinates(), info.n_velocities(), info.n_rows()];
-        let mut mass = vec![0.0; n_v];
-        scene.mass_matrix(&fixed, &mut mass);
-        if let Some(i) = mass.iter().position(|m| !(m.is_finite() && *m >= 0.0)) {
-            let (body, quantity) = body_of(&info, i);
-            return Err(SystemError::Mass { body, quantity, value: mass[i] });
-        }
-        let mut start = Start::free_of(&info);
-        scene.start(&fixed, &mut start);
-        let mut jacobian = in_large_pages(vec![0.0; info.jacobian.n_nonzeros()]);
-        scene.velocity_jacobian(&fixed, start.t, &start.q, &mut jacobian);
         let geometry = Geometry::new(&info, &jacobian, &start);
-        let is_out_of_range = is_out_of_range(&info, &mass, &jacobian);
-        if is_out_of_range && backend == Backend::Generated {
-            return Err(SystemError::OutOfRange { scene: info.name });
-        }
-        if !info.switches.is_empty() {
-            scene.constants(parameters, &mut fixed);
-        }
         let takes_sines = scene.takes_sines();
         let needs_pivots = is_out_of_range || geometry.lightness(&mass) < LIGHTEST;
         let solver = solver(&info, &mass, needs_pivots, backend)?;
@@ -195,6 +169,62 @@ impl<P: SceneRef> System<P> {
     /// Work done so far, and what a method adds.
     pub(crate) fn counters(&mut self) -> &mut Counters {
         &mut self.counters
+    }
+}
+
+/// What [`System::fixed`] would be of a scene that takes the generated elimination.
+///
+/// # Errors
+/// As [`System::new`].
+pub(crate) fn eliminated_constants<P: SceneRef>(scene: P) -> Result<Vec<f64>, SystemError> {
+    let Checked { info, fixed, mass, .. } = Checked::new(&scene, &scene.parameters(), Backend::Generated)?;
+    solver(&info, &mass, false, Backend::Generated)?;
+    Ok(fixed)
+}
+
+/// A scene whose parameters and masses can be used, and G at its start.
+struct Checked {
+    info: Arc<SceneInfo>,
+    fixed: Vec<f64>,
+    mass: Vec<f64>,
+    active: ActiveSet,
+    start: Start,
+    jacobian: Vec<f64>,
+    is_out_of_range: bool,
+}
+
+impl Checked {
+    fn new<P: SceneRef>(scene: &P, parameters: &[f64], backend: Backend) -> Result<Self, SystemError> {
+        let info = scene.info();
+        info.check_counts()?;
+        for (parameter, &value) in info.parameters.iter().zip(parameters) {
+            if !value.is_finite() {
+                return Err(SystemError::ParameterNotFinite { name: parameter.name, value });
+            }
+        }
+        let mut fixed = info.declared_values();
+        // a row that is off at the start counts for what is measured here
+        let active = ActiveSet::new(&info, parameters);
+        let of_all_rows = (!info.switches.is_empty()).then(|| active.with_all_rows(&info));
+        scene.constants(of_all_rows.as_deref().unwrap_or(parameters), &mut fixed);
+        let mut mass = vec![0.0; info.n_velocities()];
+        scene.mass_matrix(&fixed, &mut mass);
+        if let Some(i) = mass.iter().position(|m| !(m.is_finite() && *m >= 0.0)) {
+            let (body, quantity) = body_of(&info, i);
+            return Err(SystemError::Mass { body, quantity, value: mass[i] });
+        }
+        let mut start = Start::free_of(&info);
+        scene.start(&fixed, &mut start);
+        let mut jacobian = in_large_pages(vec![0.0; info.jacobian.n_nonzeros()]);
+        scene.velocity_jacobian(&fixed, start.t, &start.q, &mut jacobian);
+        let is_out_of_range = is_out_of_range(&info, &mass, &jacobian);
+        if is_out_of_range && backend == Backend::Generated {
+            return Err(SystemError::OutOfRange { scene: info.name });
+        }
+        if of_all_rows.is_some() {
+            scene.constants(parameters, &mut fixed);
+        }
+        Ok(Self { info, fixed, mass, active, start, jacobian, is_out_of_range })
     }
 }
 

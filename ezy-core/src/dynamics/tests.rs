@@ -1,4 +1,4 @@
-//! Mechanisms for the tests of this layer.
+//! Mechanisms for the tests of this layer, and tests of its functions.
 
 use super::moves_finitely;
 

@@ -163,6 +163,27 @@ fn analytic_what_cannot_run_in_lanes_is_told() {
     assert!(matches!(refused, Some(SetupError::DifferentTimes { .. })));
 }
 
+/// Of the scenes behind the first only constants are made; what is wrong with them is told as of a system.
+#[test]
+fn invariant_later_scenes_are_checked_as_by_themselves() {
+    let good = Roller::default();
+    let starts = starts(&[good; 4]);
+    for bad in [
+        Roller { a: f64::NAN, ..good },
+        Roller { m2: -1.0, ..good },
+        Roller { m2: 0.0, ..good },
+        Roller { i2: 1e-300, ..good },
+        Roller { i2: f64::INFINITY, ..good },
+    ] {
+        let alone = System::new(&bad, Backend::Generated).err().expect("it cannot be used");
+        let refused = Ensemble::new(&[good, good, bad, good], starts.each_ref(), Method::dop853(1e-9)).err();
+        assert!(
+            matches!(&refused, Some(SetupError::System(error)) if error.to_string() == alone.to_string()),
+            "{alone} {refused:?}"
+        );
+    }
+}
+
 #[test]
 fn analytic_starts_and_ends_that_cannot_be_are_told() {
     let scenes: [Roller; 4] = std::array::from_fn(|i| rollers()[i]);

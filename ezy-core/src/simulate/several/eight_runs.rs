@@ -21,19 +21,21 @@ enum Form<P> {
 }
 
 impl<P: SceneRef> EightRuns<P> {
-    /// Runs of `systems`, whose kernels are those of `scene`, from `starts`, which meet the rows and have one time.
+    /// Runs of scenes with these constants, `fixed`, whose kernels are those of `scene` and the first of which has this system, from `starts`, which meet the rows and have
+    /// one time.
     ///
     /// # Errors
     /// [`SetupError`] when the scene or the method cannot be used.
     pub(in crate::simulate) fn new(
         scene: P,
-        systems: &[&System<P>],
+        first: &System<P>,
+        fixed: &[&[f64]],
         starts: &[&State],
         method: Method,
     ) -> Result<Self, SetupError> {
         let of_run = |lane: usize| lane.min(starts.len() - 1);
-        let info = Arc::clone(systems[0].info());
-        let fixed = packed(from_fn::<_, N_LANES, _>(|lane| systems[of_run(lane)].fixed()));
+        let info = Arc::clone(first.info());
+        let fixed = packed(from_fn::<_, N_LANES, _>(|lane| fixed[of_run(lane)]));
         let state_of = |lane: usize| starts[of_run(lane)];
         let q = packed(from_fn(|lane| &state_of(lane).q[..]));
         let v = packed(from_fn(|lane| &state_of(lane).v[..]));
@@ -46,7 +48,7 @@ impl<P: SceneRef> EightRuns<P> {
         let form = match quasi {
             Some(runs) => Form::InQuasiVelocities(runs),
             None => {
-                let system = SystemOf::new(InLanes(scene), systems[0], fixed);
+                let system = SystemOf::new(InLanes(scene), first, fixed);
                 Form::OfRows(Trajectory::new(system, info, start, method)?)
             }
         };

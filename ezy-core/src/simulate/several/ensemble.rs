@@ -1,7 +1,7 @@
 //! Several runs of one scene that step together.
 
 use super::eight_runs::EightRuns;
-use crate::dynamics::{MotionError, State, System};
+use crate::dynamics::{MotionError, State, System, eliminated_constants};
 use crate::integrate::Method;
 use crate::linalg::Backend;
 use crate::model::{N_LANES, Scene};
@@ -55,9 +55,10 @@ impl<'s, S: Scene, const L: usize> Ensemble<'s, S, L> {
         if let Some(other) = starts.iter().find(|start| start.t != starts[0].t) {
             return Err(SetupError::DifferentTimes { first: starts[0].t, other: other.t });
         }
-        let systems = scenes.iter().map(|scene| System::new(scene, Backend::Generated));
-        let systems: Vec<System<&S>> = systems.collect::<Result<_, _>>()?;
-        let info = systems[0].info();
+        let first = System::new(&scenes[0], Backend::Generated)?;
+        let others = scenes[1..].iter().map(eliminated_constants);
+        let others: Vec<Vec<f64>> = others.collect::<Result<_, _>>()?;
+        let info = first.info();
         if let Some(start) = starts.iter().find(|start| start.z.len() != info.n_states()) {
             return Err(SetupError::StartLength { expected: info.n_states(), found: start.z.len() });
         }
@@ -66,8 +67,8 @@ impl<'s, S: Scene, const L: usize> Ensemble<'s, S, L> {
         if let Some((found, expected)) = lengths.into_iter().find(|(n, expected)| n != expected) {
             return Err(SetupError::StartLength { expected, found });
         }
-        let systems: Vec<&System<&S>> = systems.iter().collect();
-        Ok(Self { runs: EightRuns::new(&scenes[0], &systems, &starts, method)? })
+        let fixed: Vec<&[f64]> = std::iter::once(first.fixed()).chain(others.iter().map(Vec::as_slice)).collect();
+        Ok(Self { runs: EightRuns::new(&scenes[0], &first, &fixed, &starts, method)? })
     }
 
     /// Steps all runs to `until_s`; nothing happens when they are there already.

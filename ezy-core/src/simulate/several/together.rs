@@ -185,8 +185,9 @@ impl<'a> Group<'a> {
     fn advance(&self, eight: &mut [Member<'_>], until_s: f64) -> Result<(), Alone> {
         let method = Method::default().with_tolerance(self.first.tolerance);
         let starts: Vec<&State> = eight.iter().map(|member| &member.state).collect();
-        let systems: Vec<&System<&dyn Scene>> = eight.iter().map(|member| &member.system).collect();
-        let mut together = EightRuns::new(self.scene, &systems, &starts, method).map_err(|_| CANNOT_START)?;
+        let fixed: Vec<&[f64]> = eight.iter().map(|member| member.system.fixed()).collect();
+        let together = EightRuns::new(self.scene, &eight[0].system, &fixed, &starts, method);
+        let mut together = together.map_err(|_| CANNOT_START)?;
         let too_near = TOO_NEAR * eight.iter().map(|member| member.pivot).fold(0.0, f64::max);
         let mut n_steps = 0;
         while together.time() < until_s {

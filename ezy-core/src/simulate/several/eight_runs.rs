@@ -21,8 +21,7 @@ enum Form<P> {
 }
 
 impl<P: SceneRef> EightRuns<P> {
-    /// Runs of scenes with these constants, `fixed`, whose kernels are those of `scene` and the first of which has this system, from `starts`, which meet the rows and have
-    /// one time.
+    /// Runs by the kernels of `scene`, each with its constants in `fixed`, from `starts`, which meet the rows and have one time; `first` is the system of the first run.
     ///
     /// # Errors
     /// [`SetupError`] when the scene or the method cannot be used.
